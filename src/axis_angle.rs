@@ -1,0 +1,132 @@
+//! Rotation to and from axis and angle, and rotation vector.
+//!
+//! The turn is the right-handed one that carries the world axes onto the body
+//! axes. Its axis has the same coordinates in both frames, and no convention
+//! changes its numbers.
+
+use crate::rotation::{NoRotation, Rotation};
+use crate::scaling;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// Below this half-angle `sin(a)/a` is 1 to the last digit, since `a²/6 < 2^-54`; the quotient of
+/// two numbers that may be subnormal is then avoided.
+const SINC_IS_ONE_BELOW: f64 = 1e-8;
+
+impl Rotation {
+    /// The turn by an angle, in radians, about an axis of any length.
+    ///
+    /// Right-handed: a positive angle about z turns x towards y (Cheng 2018, section 1.1).
+    ///
+    /// # Errors
+    ///
+    /// [`NoRotation`] for the zero axis and for numbers that are not finite.
+    ///
+    /// ```
+    /// use quatlas::{Rotation, nalgebra::Vector3};
+    /// use std::f64::consts::FRAC_PI_2;
+    /// let yawed = Rotation::from_axis_angle([0.0, 0.0, 9.0], FRAC_PI_2)?;
+    /// assert!((yawed.body_to_world(Vector3::x()) - Vector3::y()).amax() < 3e-16);
+    /// # Ok::<(), quatlas::NoRotation>(())
+    /// ```
+    pub fn from_axis_angle(axis: [f64; 3], angle_rad: f64) -> Result<Self, NoRotation> {
+        let (fraction, exponent) = scaling::norm(&axis);
+        let finite = axis.iter().all(|number| number.is_finite()) && angle_rad.is_finite();
+        if fraction == 0.0 || !finite {
+            return Err(NoRotation);
+        }
+        let unit = Vector3::from(axis).map(|number| scaling::times_power_of_two(number, -exponent))
+            / fraction;
+        let (sine, cosine) = libm::sincos(angle_rad / 2.0);
+        Ok(Self::from_unit(Quaternion::from_parts(cosine, unit * sine)))
+    }
+
+    /// The turn by `|v|` radians about `v`: the exponential of the rotation vector.
+    ///
+    /// Any length; beyond π the same attitude has a shorter vector as well. The quaternion is
+    /// `[cos(|v|/2), sin(|v|/2) v/|v|]` (Cheng 2018, eq. 2.10).
+    ///
+    /// # Errors
+    ///
+    /// [`NoRotation`] for numbers that are not finite.
+    #[doc(alias("exp", "from_scaled_axis"))]
+    pub fn from_rotation_vector_rad(vector: [f64; 3]) -> Result<Self, NoRotation> {
+        if !vector.iter().all(|number| number.is_finite()) {
+            return Err(NoRotation);
+        }
+        let (fraction, exponent) = scaling::norm(&vector);
+        let half_angle = scaling::times_power_of_two(fraction, exponent - 1);
+        let vector = Vector3::from(vector);
+        if half_angle < SINC_IS_ONE_BELOW {
+            return Ok(Self::from_unit(Quaternion::from_parts(1.0, vector / 2.0)));
+        }
+        let (sine, cosine) = libm::sincos(half_angle);
+        let direction =
+            vector.map(|number| scaling::times_power_of_two(number, -exponent)) / fraction;
+        Ok(Self::from_unit(Quaternion::from_parts(
+            cosine,
+            direction * sine,
+        )))
+    }
+
+    fn from_unit(quaternion: Quaternion<f64>) -> Self {
+        Self::from_canonical(UnitQuaternion::new_unchecked(quaternion))
+    }
+
+    /// The angle of the turn, from 0 to π radians.
+    ///
+    /// `2 atan2(|v|, |w|)`, which keeps its digits near 0 and near π, where an arc cosine loses
+    /// half of them (specification FX-22 and NUM-02).
+    #[must_use]
+    pub fn angle_rad(&self) -> f64 {
+        let q = self.canonical();
+        let (fraction, exponent) = scaling::norm(q.vector().as_slice());
+        let vector_norm = scaling::times_power_of_two(fraction, exponent);
+        2.0 * libm::atan2(vector_norm, q.w.abs())
+    }
+
+    /// The axis of the turn, of length 1; `None` where the angle is 0.
+    ///
+    /// At π the axis and its opposite are equally right; the one given is the vector part's own.
+    #[must_use]
+    pub fn axis(&self) -> Option<Vector3<f64>> {
+        let vector = self.shorter_vector_part();
+        let (fraction, exponent) = scaling::norm(vector.as_slice());
+        (fraction > 0.0)
+            .then(|| vector.map(|number| scaling::times_power_of_two(number, -exponent)) / fraction)
+    }
+
+    /// The rotation vector: the angle, at most π radians, times the axis. The logarithm.
+    ///
+    /// `2 atan2(|v|, w)/|v| · v` with `w ≥ 0`, and 0 for no turn (specification FX-22).
+    ///
+    /// ```
+    /// use quatlas::{Convention, Rotation, TaggedQuaternion};
+    /// // JPL and Hamilton give a quarter turn about −y the same rotation vector.
+    /// let q = TaggedQuaternion::new(1.0, 0.0, -1.0, 0.0, Convention::JPL);
+    /// let vector = Rotation::from_tagged(&q)?.rotation_vector_rad();
+    /// assert!((vector.y + std::f64::consts::FRAC_PI_2).abs() < 3e-16);
+    /// # Ok::<(), quatlas::NoRotation>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("log", "scaled_axis", "rotvec"))]
+    pub fn rotation_vector_rad(&self) -> Vector3<f64> {
+        let vector = self.shorter_vector_part();
+        let (fraction, exponent) = scaling::norm(vector.as_slice());
+        let half_angle_per_norm = if fraction == 0.0 {
+            return Vector3::zeros();
+        } else if scaling::times_power_of_two(fraction, exponent) < SINC_IS_ONE_BELOW {
+            1.0
+        } else {
+            let norm = scaling::times_power_of_two(fraction, exponent);
+            libm::atan2(norm, self.canonical().w.abs()) / norm
+        };
+        vector * (2.0 * half_angle_per_norm)
+    }
+
+    /// The vector part of q or of −q, whichever has a scalar that is not negative.
+    fn shorter_vector_part(&self) -> Vector3<f64> {
+        let q = self.canonical();
+        let vector: Vector3<f64> = q.vector().into();
+        if q.w < 0.0 { -vector } else { vector }
+    }
+}

@@ -1,0 +1,295 @@
+//! Text to tokens, each with its place.
+//!
+//! What programs and people write differently is made one here: unicode signs,
+//! float suffixes, comments, the dashes of a YAML list. Nothing here knows what
+//! a quaternion is.
+
+use crate::messages::Fault;
+use crate::problem::Span;
+use winnow::ascii::{digit0, digit1, line_ending};
+use winnow::combinator::{alt, delimited, eof, fail, not, opt, peek, repeat, terminated};
+use winnow::prelude::*;
+use winnow::stream::LocatingSlice;
+use winnow::token::{any, one_of, take_till, take_while};
+
+/// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
+pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum TokenKind {
+    Number(f64),
+    /// A word or a path such as `Eigen::Quaterniond`.
+    Word,
+    /// A word in quotes: a key of JSON or of a Python dictionary.
+    Quoted,
+    Plus,
+    Minus,
+    Times,
+    Divide,
+    Root,
+    Degree,
+    Comma,
+    Colon,
+    Equals,
+    Open(Bracket),
+    Close(Bracket),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bracket {
+    Round,
+    Square,
+    Curly,
+}
+
+impl Bracket {
+    pub(crate) const fn opening(self) -> &'static str {
+        match self {
+            Self::Round => "(",
+            Self::Square => "[",
+            Self::Curly => "{",
+        }
+    }
+
+    pub(crate) const fn closing(self) -> &'static str {
+        match self {
+            Self::Round => ")",
+            Self::Square => "]",
+            Self::Curly => "}",
+        }
+    }
+}
+
+/// Whether white space stands before a token; it decides whether `1 -2` is one number or two.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spacing {
+    Adjacent,
+    Apart,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Token<'t> {
+    pub(crate) kind: TokenKind,
+    /// As written; without the quotes and without template arguments.
+    pub(crate) text: &'t str,
+    pub(crate) span: Span,
+    pub(crate) spacing: Spacing,
+}
+
+/// Words of a declaration that say nothing about the numbers.
+const DECLARATION_WORDS: [&str; 9] = [
+    "auto",
+    "const",
+    "constexpr",
+    "final",
+    "let",
+    "mut",
+    "new",
+    "static",
+    "var",
+];
+
+pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
+    let yaml_dash = if is_yaml_list(text) {
+        YamlDash::Separates
+    } else {
+        YamlDash::IsMinus
+    };
+    let mut input = LocatingSlice::new(text);
+    let mut tokens = Vec::new();
+    let mut line = Line::Start;
+    let mut spacing = Spacing::Apart;
+    loop {
+        if let Some(line_now) = blank(&mut input, line, yaml_dash) {
+            spacing = Spacing::Apart;
+            line = line_now;
+        }
+        if input.is_empty() {
+            return Ok(tokens);
+        }
+        let start = text.len() - input.len();
+        let Ok((kind, written)) = token.parse_next(&mut input) else {
+            let character = text[start..].chars().next().unwrap_or(' ');
+            let span = Span::from(start..start + character.len_utf8());
+            return Err(Fault::unexpected_character(span, character));
+        };
+        let span = Span::from(start..text.len() - input.len());
+        if kind == TokenKind::Word && DECLARATION_WORDS.contains(&written) {
+            spacing = Spacing::Apart;
+            continue;
+        }
+        if let TokenKind::Number(value) = kind {
+            check_literal(value, written, span)?;
+        }
+        tokens.push(Token {
+            kind,
+            text: written,
+            span,
+            spacing,
+        });
+        spacing = Spacing::Adjacent;
+        line = Line::Inside;
+    }
+}
+
+type Input<'t> = LocatingSlice<&'t str>;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum YamlDash {
+    IsMinus,
+    Separates,
+}
+
+/// Whether every line that is not blank begins with a dash and a space, as `rostopic echo` prints arrays.
+fn is_yaml_list(text: &str) -> bool {
+    let mut lines = text
+        .lines()
+        .map(str::trim_start)
+        .filter(|line| !line.is_empty() && *line != "---");
+    let items = lines.clone().count();
+    items > 1 && lines.all(|line| line.starts_with("- "))
+}
+
+/// Whether only white space stands before a place in its line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Line {
+    Start,
+    Inside,
+}
+
+/// Skips white space, comments and what only lays out a YAML text; `None` where there is nothing to
+/// skip.
+fn blank(input: &mut Input<'_>, mut line: Line, yaml_dash: YamlDash) -> Option<Line> {
+    let before = input.len();
+    loop {
+        let skipped = alt((white, comment, layout(line, yaml_dash))).parse_next(input);
+        match skipped {
+            Ok(text) if text.contains('\n') => line = Line::Start,
+            Ok("-") => line = Line::Inside,
+            Ok(_) => {}
+            Err(_) => return (input.len() < before).then_some(line),
+        }
+    }
+}
+
+/// A line `---`, and the dash of a YAML list.
+fn layout<'t>(
+    line: Line,
+    yaml_dash: YamlDash,
+) -> impl FnMut(&mut Input<'t>) -> ModalResult<&'t str> {
+    move |input| {
+        if line == Line::Inside {
+            return fail.parse_next(input);
+        }
+        let separator = terminated("---", peek(alt((line_ending, eof))));
+        match yaml_dash {
+            YamlDash::Separates => alt((separator, "-")).parse_next(input),
+            YamlDash::IsMinus => { separator }.parse_next(input),
+        }
+    }
+}
+
+fn white<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+    take_while(1.., |character: char| {
+        character.is_whitespace() || matches!(character, '\u{200b}' | '\u{2060}' | '\u{feff}')
+    })
+    .parse_next(input)
+}
+
+fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+    (alt(("//", "#")), take_till(0.., '\n'))
+        .take()
+        .parse_next(input)
+}
+
+fn token<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+    alt((number, word, quoted, sign)).parse_next(input)
+}
+
+fn number<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+    let mantissa = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
+    let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1);
+    let written = (mantissa, opt(exponent)).take().parse_next(input)?;
+    // C and Rust suffixes: 0.5f, 0.5f64, 0.5_f64.
+    let _ =
+        opt((opt('_'), alt(("f64", "f32", "f", "F")), not(name_character))).parse_next(input)?;
+    let value = written.replace('−', "-").parse().unwrap_or(f64::NAN);
+    Ok((TokenKind::Number(value), written))
+}
+
+/// A literal that a double cannot hold is a problem, not an infinity or a zero.
+fn check_literal(value: f64, written: &str, span: Span) -> Result<(), Fault> {
+    let mantissa = written.split(['e', 'E']).next().unwrap_or(written);
+    if value.is_infinite() {
+        return Err(Fault::too_large(span));
+    }
+    if value == 0.0 && mantissa.contains(|digit| matches!(digit, '1'..='9')) {
+        return Err(Fault::too_small(span));
+    }
+    Ok(())
+}
+
+/// One character that continues a name.
+fn name_character(input: &mut Input<'_>) -> ModalResult<char> {
+    one_of(|character: char| character.is_alphanumeric() || character == '_').parse_next(input)
+}
+
+fn name(input: &mut Input<'_>) -> ModalResult<()> {
+    (
+        peek(one_of(|first: char| first.is_alphabetic() || first == '_')),
+        repeat::<_, _, (), _, _>(1.., name_character),
+    )
+        .void()
+        .parse_next(input)
+}
+
+fn word<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+    let segment = (alt(("::", ".")), name);
+    let path = (name, repeat::<_, _, (), _, _>(0.., segment))
+        .take()
+        .parse_next(input)?;
+    let _ = opt(delimited(
+        '<',
+        repeat::<_, _, (), _, _>(1.., name_character),
+        '>',
+    ))
+    .parse_next(input)?;
+    Ok((TokenKind::Word, path))
+}
+
+fn quoted<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+    let inside = |quote: char| take_while(0.., move |c: char| c != quote && c != '\n');
+    alt((
+        delimited('"', inside('"'), '"'),
+        delimited('\'', inside('\''), '\''),
+    ))
+    .map(|text| (TokenKind::Quoted, text))
+    .parse_next(input)
+}
+
+fn sign<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+    any.with_taken()
+        .verify_map(|(character, text)| {
+            let kind = match character {
+                '+' => TokenKind::Plus,
+                '-' | '−' | '–' => TokenKind::Minus,
+                '*' | '·' | '×' | '⋅' | '∗' => TokenKind::Times,
+                '/' | '÷' | '∕' | '⁄' => TokenKind::Divide,
+                '√' => TokenKind::Root,
+                '°' => TokenKind::Degree,
+                ',' | ';' => TokenKind::Comma,
+                ':' => TokenKind::Colon,
+                '=' => TokenKind::Equals,
+                '½' => TokenKind::Number(0.5),
+                '(' => TokenKind::Open(Bracket::Round),
+                '[' => TokenKind::Open(Bracket::Square),
+                '{' => TokenKind::Open(Bracket::Curly),
+                ')' => TokenKind::Close(Bracket::Round),
+                ']' => TokenKind::Close(Bracket::Square),
+                '}' => TokenKind::Close(Bracket::Curly),
+                _ => return None,
+            };
+            Some((kind, text))
+        })
+        .parse_next(input)
+}

@@ -1,0 +1,88 @@
+//! What four numbers mean: quaternions in Hamilton and JPL convention, as matrices, inverses and
+//! composition order.
+//!
+//! ```text
+//! text as typed -> parse -> numbers + spans -> convention -> tagged quaternion -> rotation -> canonical rotation
+//!       ^                                                                                            |
+//!       '-------------- page <- wasm <- report <------------------ analyze <-------------------------'
+//!                               any step may stop with a problem that points into the text
+//! ```
+//!
+//! [`analyze()`] is that whole road in one call. The steps can be used alone: [`parse_quaternion`],
+//! [`TaggedQuaternion`], [`Rotation`]. What the words mean, with numbers that show it, is in
+//! [`convention`](mod@convention).
+//!
+//! The modules below stand in the order of the road; each uses only those above it. Inside the
+//! crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
+//! tags at the edge.
+
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        reason = "a test may stop at what it did not expect"
+    )
+)]
+
+pub use nalgebra;
+
+// Words: plain types, no mathematics.
+
+/// One problem: a code, a place, what was expected, what to try.
+pub mod problem;
+// The sentence of every problem.
+/// What four numbers mean.
+pub mod convention;
+mod messages;
+/// What is answered.
+pub mod report;
+/// What is asked.
+pub mod request;
+
+// Text to numbers.
+
+// Text to tokens.
+mod lex;
+// The arithmetic of typed text.
+mod linear;
+// Tokens to a tree.
+mod syntax;
+// The order of known constructors.
+mod constructor;
+/// Text to numbers.
+pub mod parse;
+
+// Numbers to rotations.
+
+// Exact scaling, so that squares neither overflow nor underflow.
+/// Rotation to and from axis, angle and rotation vector.
+pub mod axis_angle;
+/// Rotation to matrix.
+pub mod matrix;
+/// Four numbers with the convention that says what they mean.
+pub mod quaternion;
+/// The canonical rotation and its two gates.
+pub mod rotation;
+mod scaling;
+// Two quaternions together.
+mod compose;
+
+// The whole road.
+
+/// A request in, an outcome out.
+pub mod analyze;
+// The only file that knows JavaScript.
+#[cfg(target_arch = "wasm32")]
+mod wasm;
+
+pub use analyze::analyze;
+pub use convention::{
+    ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
+    UnknownName,
+};
+pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
+pub use problem::{Field, Problem, ProblemCode, Span};
+pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
+pub use report::*;
+pub use request::{ComposeRequest, ReadRequest, Request};
+pub use rotation::{NoRotation, Rotation};

@@ -1,0 +1,173 @@
+//! The arithmetic of typed text: a real number, or a sum `a + bi + cj + dk`.
+//!
+//! A product of two imaginary units is refused, because its sign is what the
+//! conventions disagree about; so nothing here depends on a convention.
+
+use crate::messages::Fault;
+use crate::problem::Span;
+use std::f64::consts::{PI, TAU};
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Linear {
+    pub(crate) scalar: f64,
+    /// The coefficients of i, j and k, where at least one of these units was written.
+    pub(crate) units: Option<[f64; 3]>,
+}
+
+impl Linear {
+    pub(crate) const fn real(scalar: f64) -> Self {
+        Self {
+            scalar,
+            units: None,
+        }
+    }
+
+    pub(crate) fn unit(name: &str) -> Option<Self> {
+        let units = match name {
+            "i" => [1.0, 0.0, 0.0],
+            "j" => [0.0, 1.0, 0.0],
+            "k" => [0.0, 0.0, 1.0],
+            _ => return None,
+        };
+        Some(Self {
+            scalar: 0.0,
+            units: Some(units),
+        })
+    }
+
+    pub(crate) fn constant(name: &str) -> Option<Self> {
+        match last_segment(name) {
+            "pi" | "PI" | "Pi" | "π" | "M_PI" => Some(Self::real(PI)),
+            "tau" | "TAU" | "τ" => Some(Self::real(TAU)),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn is_function(name: &str) -> bool {
+        function(name).is_some() || is_cast(name)
+    }
+
+    /// A function of one real number; `argument_span` is where the number stands.
+    pub(crate) fn call(
+        name: &str,
+        argument: Self,
+        argument_span: Span,
+        span: Span,
+    ) -> Result<Self, Fault> {
+        let Some(function) = function(name) else {
+            return Ok(argument);
+        };
+        if argument.units.is_some() {
+            return Err(Fault::product_of_units(argument_span));
+        }
+        let value = function(argument.scalar);
+        if value.is_nan() {
+            return Err(Fault::not_a_number(span, name));
+        }
+        Self::real(value).checked(span)
+    }
+
+    pub(crate) fn plus(self, other: Self, span: Span) -> Result<Self, Fault> {
+        let units = match (self.units, other.units) {
+            (Some(a), Some(b)) => Some([a[0] + b[0], a[1] + b[1], a[2] + b[2]]),
+            (units, None) | (None, units) => units,
+        };
+        Self {
+            scalar: self.scalar + other.scalar,
+            units,
+        }
+        .checked(span)
+    }
+
+    pub(crate) fn negated(self) -> Self {
+        Self {
+            scalar: -self.scalar,
+            units: self.units.map(|units| units.map(|unit| -unit)),
+        }
+    }
+
+    pub(crate) fn times(self, other: Self, span: Span) -> Result<Self, Fault> {
+        let (factor, linear) = match (self.units, other.units) {
+            (Some(_), Some(_)) => return Err(Fault::product_of_units(span)),
+            (None, _) => (self.scalar, other),
+            (_, None) => (other.scalar, self),
+        };
+        linear.map_checked(span, factor != 0.0, |number| number * factor)
+    }
+
+    pub(crate) fn over(self, other: Self, other_span: Span, span: Span) -> Result<Self, Fault> {
+        if other.units.is_some() {
+            return Err(Fault::product_of_units(other_span));
+        }
+        if other.scalar == 0.0 {
+            return Err(Fault::division_by_zero(other_span));
+        }
+        self.map_checked(span, true, |number| number / other.scalar)
+    }
+
+    pub(crate) fn degrees(self, span: Span) -> Result<Self, Fault> {
+        self.times(Self::real(PI / 180.0), span)
+    }
+
+    /// Applies a scaling to every part; a part that was not zero must not become zero by rounding.
+    fn map_checked(
+        self,
+        span: Span,
+        keeps_non_zero: bool,
+        scale: impl Fn(f64) -> f64,
+    ) -> Result<Self, Fault> {
+        let scaled = Self {
+            scalar: scale(self.scalar),
+            units: self.units.map(|units| units.map(&scale)),
+        };
+        let vanished = keeps_non_zero
+            && self
+                .parts()
+                .zip(scaled.parts())
+                .any(|(before, after)| before != 0.0 && after == 0.0);
+        if vanished {
+            return Err(Fault::too_small(span));
+        }
+        scaled.checked(span)
+    }
+
+    fn checked(self, span: Span) -> Result<Self, Fault> {
+        if self.parts().all(f64::is_finite) {
+            Ok(self)
+        } else {
+            Err(Fault::too_large(span))
+        }
+    }
+
+    fn parts(&self) -> impl Iterator<Item = f64> + use<> {
+        [self.scalar]
+            .into_iter()
+            .chain(self.units.into_iter().flatten())
+    }
+}
+
+fn last_segment(name: &str) -> &str {
+    name.rsplit([':', '.']).next().unwrap_or(name)
+}
+
+fn function(name: &str) -> Option<fn(f64) -> f64> {
+    Some(match last_segment(name) {
+        "sqrt" => libm::sqrt,
+        "abs" => libm::fabs,
+        "sin" => libm::sin,
+        "cos" => libm::cos,
+        "tan" => libm::tan,
+        "asin" => libm::asin,
+        "acos" => libm::acos,
+        "atan" => libm::atan,
+        _ => return None,
+    })
+}
+
+/// Casts that printed arrays carry, such as `np.float64(0.5)`: the number itself.
+fn is_cast(name: &str) -> bool {
+    matches!(
+        last_segment(name),
+        "float64" | "float32" | "float" | "double"
+    )
+}

@@ -1,0 +1,345 @@
+//! The sentence of every problem, in one place: what is wrong, what was expected, what to try.
+
+use crate::problem::{Field, Problem, ProblemCode, Span, shorten};
+
+/// How many characters of the user's own text a message repeats.
+const QUOTED_CHARACTERS: usize = 24;
+
+/// What a text is meant to hold, which decides the examples in its messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    Quaternion,
+    Vector,
+}
+
+impl Wanted {
+    pub(crate) const fn count(self) -> usize {
+        match self {
+            Self::Quaternion => 4,
+            Self::Vector => 3,
+        }
+    }
+
+    const fn in_words(self) -> &'static str {
+        match self {
+            Self::Quaternion => {
+                "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k"
+            }
+            Self::Vector => "a vector: three numbers, or named components x, y and z",
+        }
+    }
+
+    const fn example(self) -> &'static str {
+        match self {
+            Self::Quaternion => "1/sqrt(2) 0 0 1/sqrt(2)",
+            Self::Vector => "1 0 0",
+        }
+    }
+
+    const fn names(self) -> &'static str {
+        match self {
+            Self::Quaternion => "w, x, y and z",
+            Self::Vector => "x, y and z",
+        }
+    }
+}
+
+/// A problem before it knows which text it stands in.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Fault {
+    code: ProblemCode,
+    span: Span,
+    message: String,
+    expected: String,
+    hint: String,
+}
+
+impl Fault {
+    pub(crate) fn in_field(self, field: Field) -> Problem {
+        Problem {
+            code: self.code,
+            field,
+            span: self.span,
+            message: self.message,
+            expected: self.expected,
+            hint: self.hint,
+        }
+    }
+
+    fn new(
+        code: ProblemCode,
+        span: Span,
+        message: impl Into<String>,
+        expected: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Self {
+            code,
+            span,
+            message: message.into(),
+            expected: expected.into(),
+            hint: hint.into(),
+        }
+    }
+
+    pub(crate) fn empty_text(span: Span, wanted: Wanted) -> Self {
+        Self::new(
+            ProblemCode::EmptyText,
+            span,
+            "there is no text here",
+            wanted.in_words(),
+            wanted.example(),
+        )
+    }
+
+    pub(crate) fn text_too_long(span: Span, bytes: usize, most: usize) -> Self {
+        Self::new(
+            ProblemCode::TextTooLong,
+            span,
+            format!("the text has {bytes} bytes; at most {most} are read"),
+            "one quaternion or one vector",
+            "paste only the lines that hold the numbers",
+        )
+    }
+
+    pub(crate) fn nested_too_deep(span: Span, most: usize) -> Self {
+        Self::new(
+            ProblemCode::NestedTooDeep,
+            span,
+            format!("more than {most} brackets are open at this place"),
+            format!("at most {most} brackets inside each other"),
+            "remove the outer brackets",
+        )
+    }
+
+    pub(crate) fn unexpected_character(span: Span, character: char) -> Self {
+        Self::new(
+            ProblemCode::UnexpectedCharacter,
+            span,
+            format!("the character {character} has no meaning here"),
+            "digits, names, brackets and the signs + - * / √ , : =",
+            "remove it",
+        )
+    }
+
+    pub(crate) fn unexpected(span: Span, found: &str, wanted: &str) -> Self {
+        let found = shorten(found, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            format!("{found} cannot stand here"),
+            wanted,
+            "remove it, or write what is missing before it",
+        )
+    }
+
+    pub(crate) fn missing_sign(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "there is no + or - before this term",
+            "a sign between the terms of a sum, as in 0.92 + 0.38k",
+            "write + or - before it",
+        )
+    }
+
+    pub(crate) fn unexpected_end(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnexpectedEnd,
+            span,
+            "the text stops where a number should follow",
+            "a number",
+            "write the number that is missing, or remove the last sign",
+        )
+    }
+
+    pub(crate) fn unclosed_bracket(span: Span, opening: &str, closing: &str) -> Self {
+        Self::new(
+            ProblemCode::UnclosedBracket,
+            span,
+            format!("the bracket {opening} is never closed"),
+            format!("a closing {closing}"),
+            format!("add {closing} at the end, or remove this {opening}"),
+        )
+    }
+
+    pub(crate) fn unmatched_bracket(span: Span, found: &str, open: Option<&str>) -> Self {
+        match open {
+            Some(closing) => Self::new(
+                ProblemCode::UnmatchedBracket,
+                span,
+                format!("the bracket that is open here is not closed by {found}"),
+                format!("a closing {closing}"),
+                format!("write {closing} in its place"),
+            ),
+            None => Self::new(
+                ProblemCode::UnmatchedBracket,
+                span,
+                format!("the bracket {found} closes nothing"),
+                "an opening bracket before it",
+                "remove it",
+            ),
+        }
+    }
+
+    pub(crate) fn unknown_word(span: Span, word: &str) -> Self {
+        let word = shorten(word, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{word} is not a number, a unit or a function that is known here"),
+            "a number; i, j, k; pi, tau; sqrt, abs, sin, cos, tan, asin, acos, atan",
+            "write the number itself",
+        )
+    }
+
+    pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
+        let (expected, hint) = match wanted {
+            Wanted::Quaternion if found > 4 => (
+                "four numbers: w and x, y, z",
+                "keep the four numbers of one quaternion; a decimal sign is a point, not a comma",
+            ),
+            Wanted::Quaternion => (
+                "four numbers: w and x, y, z",
+                "add what is missing, or name what is there: 0.92 + 0.38k",
+            ),
+            Wanted::Vector if found > 3 => (
+                "three numbers: x, y, z",
+                "keep the three numbers of one vector; a decimal sign is a point, not a comma",
+            ),
+            Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
+        };
+        let numbers = if found == 1 { "number" } else { "numbers" };
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{found} {numbers} in place of {}", wanted.count()),
+            expected,
+            hint,
+        )
+    }
+
+    pub(crate) fn duplicate_component(span: Span, name: &str) -> Self {
+        Self::new(
+            ProblemCode::DuplicateComponent,
+            span,
+            format!("the component {name} is given twice"),
+            "each component once",
+            format!("remove one {name}, or rename it"),
+        )
+    }
+
+    pub(crate) fn missing_component(span: Span, wanted: Wanted, names: &[&str]) -> Self {
+        let missing = names.join(", ");
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        Self::new(
+            ProblemCode::MissingComponent,
+            span,
+            format!("{missing} {verb} missing"),
+            format!("all of {}", wanted.names()),
+            format!("add {}=0 if that is what is meant", names.join("=0, ")),
+        )
+    }
+
+    pub(crate) fn unknown_component(span: Span, wanted: Wanted, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownComponent,
+            span,
+            format!("{name} is not a component"),
+            format!("the names {}", wanted.names()),
+            format!("use the names {}, or only numbers", wanted.names()),
+        )
+    }
+
+    pub(crate) fn mixed_names(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedNames,
+            span,
+            "this number has no name while others have one",
+            "a name for every number, or for none",
+            "name it: w=, x=, y= or z=",
+        )
+    }
+
+    pub(crate) fn division_by_zero(span: Span) -> Self {
+        Self::new(
+            ProblemCode::DivisionByZero,
+            span,
+            "this divides by zero",
+            "a divisor that is not zero",
+            "write the number that is meant",
+        )
+    }
+
+    pub(crate) fn not_a_number(span: Span, written: &str) -> Self {
+        let written = shorten(written, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::NotANumber,
+            span,
+            format!("{written} is not a real number"),
+            "a finite number",
+            "look where it was computed: a NaN usually comes from a zero norm or an acos beyond 1",
+        )
+    }
+
+    pub(crate) fn infinite(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Infinite,
+            span,
+            "infinity is not a component of a rotation",
+            "a finite number",
+            "look where it was computed: an infinity usually comes from a division by zero",
+        )
+    }
+
+    pub(crate) fn too_large(span: Span) -> Self {
+        Self::new(
+            ProblemCode::TooLarge,
+            span,
+            "this is larger than any double (about 1.8e308)",
+            "a number that a double can hold",
+            "divide all the numbers by the same factor: the rotation stays the same",
+        )
+    }
+
+    pub(crate) fn too_small(span: Span) -> Self {
+        Self::new(
+            ProblemCode::TooSmall,
+            span,
+            "this is not zero, yet a double would make it zero (below about 5e-324)",
+            "a number that a double can hold, or 0",
+            "write 0, or multiply all the numbers by the same factor",
+        )
+    }
+
+    pub(crate) fn product_of_units(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ProductOfUnits,
+            span,
+            "a product of imaginary units has another sign in each convention (ij = k or ij = -k)",
+            "at most one of i, j, k in each term",
+            "write the components, or put the two factors into the Compose view",
+        )
+    }
+
+    pub(crate) fn scalar_in_vector(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ScalarInVector,
+            span,
+            "a vector has no scalar part",
+            "x, y and z, or a sum of i, j and k",
+            "remove the scalar",
+        )
+    }
+
+    pub(crate) fn zero_quaternion(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ZeroQuaternion,
+            span,
+            "all four components are zero: this is not a rotation",
+            "at least one component that is not zero",
+            "the quaternion of no turn is w=1, x=0, y=0, z=0",
+        )
+    }
+}

@@ -1,0 +1,464 @@
+//! Tokens to a small tree: numbers already computed, lists, names and calls.
+//!
+//! The grammar is in the documentation of [`parse`](mod@crate::parse).
+
+use crate::lex::{Bracket, Spacing, Token, TokenKind};
+use crate::linear::Linear;
+use crate::messages::Fault;
+use crate::problem::Span;
+use winnow::error::{ErrMode, ParserError};
+use winnow::prelude::*;
+use winnow::stream::Stateful;
+use winnow::token::any;
+
+/// How many brackets may be open at once; a quaternion needs about four.
+const MAX_DEPTH: usize = 32;
+
+/// A piece of text that was understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Node<'t> {
+    pub(crate) kind: NodeKind<'t>,
+    pub(crate) span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum NodeKind<'t> {
+    Value(Linear),
+    List(Vec<Entry<'t>>),
+    Call {
+        name: &'t str,
+        arguments: Vec<Entry<'t>>,
+    },
+    Word(&'t str),
+}
+
+/// A member of a list: a node, perhaps with a name before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry<'t> {
+    pub(crate) key: Option<Key<'t>>,
+    pub(crate) node: Node<'t>,
+    pub(crate) lead: Lead,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Key<'t> {
+    pub(crate) name: &'t str,
+    pub(crate) span: Span,
+}
+
+/// Whether a member is the first of its list, begins with a sign, or neither: a sum such as
+/// `0.92 +0.38k` is first read as two members.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lead {
+    First,
+    Signed,
+    Bare,
+}
+
+/// Reads all tokens of a text.
+pub(crate) fn entries<'t>(tokens: &[Token<'t>], text: &str) -> Result<Vec<Entry<'t>>, Fault> {
+    let state = State {
+        text_end: text.trim_end().len(),
+        depth: 0,
+        spaces: Spaces::Separate,
+    };
+    let mut input = Stateful {
+        input: tokens,
+        state,
+    };
+    let entries = list(&mut input).map_err(Stop::into_fault)?;
+    match input.peek_token() {
+        None => Ok(entries),
+        Some(token) => Err(match token.kind {
+            TokenKind::Close(_) => Fault::unmatched_bracket(token.span, token.text, None),
+            _ => unexpected(&token),
+        }),
+    }
+}
+
+type Input<'s, 't> = Stateful<&'s [Token<'t>], State>;
+type Parsed<T> = Result<T, ErrMode<Stop>>;
+
+#[derive(Clone, Debug)]
+struct State {
+    text_end: usize,
+    depth: usize,
+    spaces: Spaces,
+}
+
+/// Whether white space separates numbers, as in a list, or not, as in a function's argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Spaces {
+    Separate,
+    Ignored,
+}
+
+/// Why reading stopped: a fault with its sentence.
+#[derive(Clone, Debug)]
+struct Stop(Option<Fault>);
+
+impl Stop {
+    fn into_fault(error: ErrMode<Self>) -> Fault {
+        error
+            .into_inner()
+            .ok()
+            .and_then(|stop| stop.0)
+            .unwrap_or_else(|| Fault::unexpected_end(Span::default()))
+    }
+}
+
+impl<'s, 't> ParserError<Input<'s, 't>> for Stop {
+    type Inner = Self;
+
+    fn from_input(input: &Input<'s, 't>) -> Self {
+        Self(Some(match input.peek_token() {
+            Some(token) => unexpected(&token),
+            None => Fault::unexpected_end(end_of(input)),
+        }))
+    }
+
+    fn into_inner(self) -> Result<Self::Inner, Self> {
+        Ok(self)
+    }
+}
+
+fn stop<T>(fault: Fault) -> Parsed<T> {
+    Err(ErrMode::Cut(Stop(Some(fault))))
+}
+
+fn computed<'t>(value: Result<Linear, Fault>, span: Span) -> Parsed<Node<'t>> {
+    match value {
+        Ok(value) => Ok(Node {
+            kind: NodeKind::Value(value),
+            span,
+        }),
+        Err(fault) => stop(fault),
+    }
+}
+
+fn unexpected(token: &Token<'_>) -> Fault {
+    Fault::unexpected(token.span, token.text, "a number or a name")
+}
+
+/// The empty place where the text ends.
+fn end_of(input: &Input<'_, '_>) -> Span {
+    Span::from(input.state.text_end..input.state.text_end)
+}
+
+fn token_at<'t>(input: &Input<'_, 't>, offset: usize) -> Option<Token<'t>> {
+    input.input.get(offset).copied()
+}
+
+/// Members until the end of the text or a closing bracket.
+fn list<'t>(input: &mut Input<'_, 't>) -> Parsed<Vec<Entry<'t>>> {
+    let mut entries = Vec::new();
+    let mut lead = Lead::First;
+    while let Some(token) = input.peek_token() {
+        match token.kind {
+            TokenKind::Close(_) => break,
+            TokenKind::Comma => {
+                input.next_token();
+            }
+            _ => {
+                if lead != Lead::First {
+                    lead = match token.kind {
+                        TokenKind::Plus | TokenKind::Minus => Lead::Signed,
+                        _ => Lead::Bare,
+                    };
+                }
+                entries.push(entry(input, lead)?);
+                lead = Lead::Bare;
+            }
+        }
+    }
+    Ok(entries)
+}
+
+fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
+    let mut key = None;
+    // A label before another name is only a heading: `orientation:` above `x: 0`.
+    while let Some((found, length)) = key_ahead(input) {
+        input.next_slice(length);
+        key = Some(found);
+    }
+    let node = sum(input)?;
+    Ok(Entry { key, node, lead })
+}
+
+/// `name:`, `name=`, `"name":` or, in a declaration, `Type name=`.
+fn key_ahead<'t>(input: &Input<'_, 't>) -> Option<(Key<'t>, usize)> {
+    let is_mark = |at: usize| {
+        token_at(input, at)
+            .is_some_and(|token| matches!(token.kind, TokenKind::Colon | TokenKind::Equals))
+    };
+    let named = |at: usize| {
+        let token = token_at(input, at)?;
+        matches!(token.kind, TokenKind::Word | TokenKind::Quoted).then_some(Key {
+            name: token.text,
+            span: token.span,
+        })
+    };
+    let first = named(0)?;
+    if is_mark(1) {
+        return Some((first, 2));
+    }
+    let second = named(1)?;
+    is_mark(2).then_some((second, 3))
+}
+
+fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let mut left = product(input)?;
+    while let Some(sign) = input.peek_token() {
+        if !matches!(sign.kind, TokenKind::Plus | TokenKind::Minus) {
+            break;
+        }
+        // In a list `1 -2` is two numbers; `1 - 2`, `1-2` and `1- 2` are one.
+        let begins_next_member = input.state.spaces == Spaces::Separate
+            && sign.spacing == Spacing::Apart
+            && token_at(input, 1).is_some_and(|next| next.spacing == Spacing::Adjacent);
+        if begins_next_member {
+            break;
+        }
+        input.next_token();
+        let right = product(input)?;
+        let span = left.span.to(right.span);
+        let (augend, addend) = (value_of(&left)?, value_of(&right)?);
+        let result = match sign.kind {
+            TokenKind::Minus => augend.plus(addend.negated(), span),
+            _ => augend.plus(addend, span),
+        };
+        left = computed(result, span)?;
+    }
+    Ok(left)
+}
+
+fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let mut left = signed(input)?;
+    while let Some(next) = input.peek_token() {
+        let result = match next.kind {
+            TokenKind::Times | TokenKind::Divide => {
+                input.next_token();
+                let right = signed(input)?;
+                let span = left.span.to(right.span);
+                let (first, second) = (value_of(&left)?, value_of(&right)?);
+                let result = match next.kind {
+                    TokenKind::Divide => first.over(second, right.span, span),
+                    _ => first.times(second, span),
+                };
+                (result, span)
+            }
+            TokenKind::Degree => {
+                input.next_token();
+                let span = left.span.to(next.span);
+                (value_of(&left)?.degrees(span), span)
+            }
+            TokenKind::Word if is_degree(next.text) => {
+                input.next_token();
+                let span = left.span.to(next.span);
+                (value_of(&left)?.degrees(span), span)
+            }
+            _ if multiplies_by_standing_beside(&left, &next) => {
+                let right = atom(input)?;
+                let span = left.span.to(right.span);
+                (value_of(&left)?.times(value_of(&right)?, span), span)
+            }
+            _ => break,
+        };
+        left = computed(result.0, result.1)?;
+    }
+    Ok(left)
+}
+
+fn is_degree(word: &str) -> bool {
+    matches!(word, "deg" | "degree" | "degrees")
+}
+
+/// `0.38k`, `2pi`, `2√3`, `2(1+1)`: no space between; `sin(pi/8) k`: a unit also after a space.
+fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
+    if !matches!(left.kind, NodeKind::Value(_)) {
+        return false;
+    }
+    match next.kind {
+        TokenKind::Word => next.spacing == Spacing::Adjacent || Linear::unit(next.text).is_some(),
+        TokenKind::Root | TokenKind::Open(Bracket::Round) => next.spacing == Spacing::Adjacent,
+        _ => false,
+    }
+}
+
+/// Any number of signs and then an atom; a loop, so that a million signs need no stack.
+fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let mut sign = None;
+    while let Some(token) = input.peek_token() {
+        sign = match (token.kind, sign) {
+            (TokenKind::Plus, None) => Some((TokenKind::Plus, token.span)),
+            (TokenKind::Minus, None) => Some((TokenKind::Minus, token.span)),
+            (TokenKind::Plus, sign) => sign,
+            (TokenKind::Minus, Some((TokenKind::Minus, span))) => Some((TokenKind::Plus, span)),
+            (TokenKind::Minus, Some((_, span))) => Some((TokenKind::Minus, span)),
+            _ => break,
+        };
+        input.next_token();
+    }
+    let node = atom(input)?;
+    let Some((sign, at)) = sign else {
+        return Ok(node);
+    };
+    let value = value_of(&node)?;
+    let span = at.to(node.span);
+    computed(
+        Ok(match sign {
+            TokenKind::Minus => value.negated(),
+            _ => value,
+        }),
+        span,
+    )
+}
+
+fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let token = any.parse_next(input).map_err(ErrMode::<Stop>::cut)?;
+    match token.kind {
+        TokenKind::Number(value) => computed(Ok(Linear::real(value)), token.span),
+        TokenKind::Word => word(input, token),
+        TokenKind::Root => root(input, token),
+        TokenKind::Open(bracket) => {
+            let (entries, span) = bracketed(input, token, bracket)?;
+            Ok(match <[Entry<'t>; 1]>::try_from(entries) {
+                // One member alone: brackets that only group.
+                Ok(
+                    [
+                        Entry {
+                            key: None, node, ..
+                        },
+                    ],
+                ) => Node { span, ..node },
+                Ok(one) => Node {
+                    kind: NodeKind::List(one.into()),
+                    span,
+                },
+                Err(entries) => Node {
+                    kind: NodeKind::List(entries),
+                    span,
+                },
+            })
+        }
+        TokenKind::Close(_) => match input.state.depth {
+            0 => stop(Fault::unmatched_bracket(token.span, token.text, None)),
+            _ => stop(unexpected(&token)),
+        },
+        _ => stop(unexpected(&token)),
+    }
+}
+
+fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
+    let name = token.text;
+    if let Some(value) = Linear::unit(name).or_else(|| Linear::constant(name)) {
+        return computed(Ok(value), token.span);
+    }
+    match name.to_ascii_lowercase().as_str() {
+        "nan" => return stop(Fault::not_a_number(token.span, name)),
+        "inf" | "infinity" => return stop(Fault::infinite(token.span)),
+        _ => {}
+    }
+    // A declaration `Eigen::Quaterniond q(...)`: the variable's name says nothing.
+    let declares = token_at(input, 0).is_some_and(|next| next.kind == TokenKind::Word)
+        && token_at(input, 1).is_some_and(|next| matches!(next.kind, TokenKind::Open(_)));
+    if declares {
+        input.next_token();
+    }
+    let Some(Token {
+        kind: TokenKind::Open(bracket),
+        ..
+    }) = input.peek_token()
+    else {
+        return Ok(Node {
+            kind: NodeKind::Word(name),
+            span: token.span,
+        });
+    };
+    let Some(opening) = input.next_token() else {
+        return stop(Fault::unexpected_end(end_of(input)));
+    };
+    let outer = input.state.spaces;
+    if Linear::is_function(name) {
+        input.state.spaces = Spaces::Ignored;
+    }
+    let inside = bracketed(input, opening, bracket);
+    input.state.spaces = outer;
+    let (arguments, span) = inside?;
+    let span = token.span.to(span);
+    if !Linear::is_function(name) {
+        return Ok(Node {
+            kind: NodeKind::Call { name, arguments },
+            span,
+        });
+    }
+    match arguments.as_slice() {
+        [
+            Entry {
+                key: None, node, ..
+            },
+        ] => computed(Linear::call(name, value_of(node)?, node.span, span), span),
+        _ => stop(Fault::unexpected(span, name, "one number in the brackets")),
+    }
+}
+
+/// `√2`, `√(2)`, `√√2`
+fn root<'t>(input: &mut Input<'_, 't>, first: Token<'t>) -> Parsed<Node<'t>> {
+    let mut roots = 1;
+    while input
+        .peek_token()
+        .is_some_and(|next| next.kind == TokenKind::Root)
+    {
+        input.next_token();
+        roots += 1;
+    }
+    let argument = atom(input)?;
+    let span = first.span.to(argument.span);
+    let mut value = value_of(&argument)?;
+    for _ in 0..roots {
+        value = match Linear::call("sqrt", value, argument.span, span) {
+            Ok(value) => value,
+            Err(fault) => return stop(fault),
+        };
+    }
+    computed(Ok(value), span)
+}
+
+/// The members between an opening bracket, already read, and its closing one.
+fn bracketed<'t>(
+    input: &mut Input<'_, 't>,
+    opening: Token<'t>,
+    bracket: Bracket,
+) -> Parsed<(Vec<Entry<'t>>, Span)> {
+    if input.state.depth == MAX_DEPTH {
+        return stop(Fault::nested_too_deep(opening.span, MAX_DEPTH));
+    }
+    input.state.depth += 1;
+    let entries = list(input)?;
+    input.state.depth -= 1;
+    match input.next_token() {
+        Some(token) if token.kind == TokenKind::Close(bracket) => {
+            Ok((entries, opening.span.to(token.span)))
+        }
+        Some(token) => stop(Fault::unmatched_bracket(
+            token.span,
+            token.text,
+            Some(bracket.closing()),
+        )),
+        None => stop(Fault::unclosed_bracket(
+            opening.span,
+            bracket.opening(),
+            bracket.closing(),
+        )),
+    }
+}
+
+/// The number that a node stands for, where only a number makes sense.
+fn value_of(node: &Node<'_>) -> Parsed<Linear> {
+    match &node.kind {
+        NodeKind::Value(value) => Ok(*value),
+        NodeKind::Word(word) => stop(Fault::unknown_word(node.span, word)),
+        NodeKind::Call { name, .. } => stop(Fault::unknown_word(node.span, name)),
+        NodeKind::List(_) => stop(Fault::unexpected(node.span, "a list", "a number")),
+    }
+}

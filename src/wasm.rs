@@ -1,0 +1,77 @@
+//! The edge: the only file that knows JavaScript exists.
+//!
+//! It moves plain data across and counts spans the way a text field does. What
+//! is typed never throws; a caller who breaks the types gets a `TypeError`.
+
+use crate::convention::Convention;
+use crate::problem::Field;
+use crate::request::Request;
+use js_sys::TypeError;
+use serde::Serialize;
+use std::cell::RefCell;
+use wasm_bindgen::prelude::*;
+
+/// The named conventions.
+#[derive(Serialize, tsify::Tsify)]
+struct Presets {
+    /// `[w, x, y, z]`, ij = k, body to world.
+    hamilton: Convention,
+    /// `[x, y, z, w]`, ij = −k, world to body.
+    jpl: Convention,
+}
+
+/// The answer to a request: a report with notes, or the problems of its texts.
+///
+/// Spans count UTF-16 units, as `HTMLTextAreaElement.setSelectionRange` does. Throws a `TypeError`
+/// for a request that is not of the type; never for what is typed in its texts.
+#[wasm_bindgen(unchecked_return_type = "Outcome")]
+pub fn analyze(
+    #[wasm_bindgen(unchecked_param_type = "Request")] request: JsValue,
+) -> Result<JsValue, TypeError> {
+    let request: Request = serde_wasm_bindgen::from_value(request)
+        .map_err(|error| TypeError::new(&format!("this is not a request: {error}")))?;
+    let outcome = crate::analyze(&request).in_utf16(|field| text_of(&request, field));
+    to_js(&outcome)
+}
+
+/// The named conventions, Hamilton and JPL.
+#[wasm_bindgen(unchecked_return_type = "Presets")]
+pub fn presets() -> Result<JsValue, TypeError> {
+    to_js(&Presets {
+        hamilton: Convention::HAMILTON,
+        jpl: Convention::JPL,
+    })
+}
+
+/// What the last panic said, once; undefined where there was none.
+///
+/// A panic is a mistake in quatlas. It traps, which JavaScript sees as an error without words.
+#[wasm_bindgen(js_name = takePanicMessage)]
+pub fn take_panic_message() -> Option<String> {
+    PANIC_MESSAGE.take()
+}
+
+thread_local! {
+    static PANIC_MESSAGE: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+#[wasm_bindgen(start)]
+fn start() {
+    std::panic::set_hook(Box::new(|panic| {
+        PANIC_MESSAGE.set(Some(panic.to_string()));
+    }));
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
+    serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
+}
+
+fn text_of(request: &Request, field: Field) -> String {
+    match (request, field) {
+        (Request::Read(read), Field::Vector) => read.vector.clone(),
+        (Request::Read(read), _) => read.quaternion.clone(),
+        (Request::Compose(compose), Field::P) => compose.p.clone(),
+        (Request::Compose(compose), Field::Q) => compose.q.clone(),
+        (Request::Compose(compose), _) => compose.vector.clone(),
+    }
+}

@@ -67,7 +67,7 @@ pub(crate) fn compose(
             let after_both = Rotation::from_tagged(&unit_product)?;
             quaternions.push(typed_product);
             products.push(Product {
-                handedness: preset.handedness,
+                convention: preset,
                 left,
                 right,
                 quaternion: Components::of(&typed_product, preset.order),

@@ -3,7 +3,7 @@
 //! No number here is NaN, infinite or −0. A number that a double cannot hold is
 //! absent, and a [`Note`] says so.
 
-use crate::convention::{ComponentOrder, Convention, Direction, Handedness};
+use crate::convention::{ComponentOrder, Convention, Direction};
 use crate::problem::{Field, Problem};
 use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3};
 use serde::{Deserialize, Serialize};
@@ -207,8 +207,8 @@ pub enum Frame {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Product {
-    /// Right: ⊙, the Hamilton product. Left: ⊗, the JPL product.
-    pub handedness: Handedness,
+    /// Hamilton, whose product is ⊙, or JPL, whose product is ⊗.
+    pub convention: Convention,
     /// The operand on the left of the sign.
     pub left: Operand,
     /// The operand on the right of the sign. It acts on a vector first.

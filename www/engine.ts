@@ -1,0 +1,48 @@
+// The one door to the core: the only file of the page that imports the wasm.
+import init, {
+  analyze as analyzeInCore,
+  type Convention,
+  type Outcome,
+  presets,
+  type Request,
+  takePanicMessage,
+} from "../pkg/quatlas.js";
+import wasmUrl from "../pkg/quatlas_bg.wasm?url";
+
+export type * from "../pkg/quatlas.js";
+
+/** What the core could not answer, in words; a mistake of ours, never of the text. */
+export interface Failure {
+  status: "failure";
+  message: string;
+}
+
+export interface Engine {
+  hamilton: Convention;
+  jpl: Convention;
+  /** The answer to a request. It never throws. */
+  analyze: (request: Request) => Outcome | Failure;
+}
+
+export async function loadEngine(): Promise<Engine> {
+  await init({ module_or_path: wasmUrl });
+  const { hamilton, jpl } = presets();
+  return { hamilton, jpl, analyze };
+}
+
+function analyze(request: Request): Outcome | Failure {
+  try {
+    return analyzeInCore(request);
+  } catch (error) {
+    return { status: "failure", message: panicMessage() ?? String(error) };
+  }
+}
+
+/** What a panic said; the core that panicked may not be able to tell. */
+function panicMessage(): string | undefined {
+  try {
+    return takePanicMessage();
+  } catch {
+    return undefined;
+  }
+}

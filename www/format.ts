@@ -1,0 +1,105 @@
+// Numbers for reading and for copying; pure.
+import type { Digits } from "./address.ts";
+
+const minus = "−";
+/** Below this a fixed number of decimals would hide the digits. */
+const smallestFixed = 1e-4;
+const largestFixed = 1e6;
+
+/** What is this much smaller than the largest number beside it is rounding, not information. */
+const roundingNoise = 1e-14;
+
+/**
+ * A number for reading: rounded as chosen, with a true minus sign; whole numbers stay short.
+ * `largest` is the largest size among the numbers that stand beside it.
+ */
+export function shown(number: number, digits: Digits, largest = 0): string {
+  return written(number, digits, largest).replaceAll("-", minus);
+}
+
+function written(number: number, digits: Digits, largest: number): string {
+  if (digits === "all") return exact(number);
+  const size = Math.abs(number);
+  if (Number.isInteger(number) && size < largestFixed) return exact(number);
+  const decimals = Number(digits);
+  if (size < roundingNoise * largest) return (0).toFixed(decimals);
+  if (size < smallestFixed || size >= largestFixed) return exponential(number, decimals);
+  return number.toFixed(decimals);
+}
+
+function largestOf(numbers: readonly number[]): number {
+  return Math.max(0, ...numbers.map(Math.abs));
+}
+
+function exponential(number: number, decimals: number): string {
+  return number
+    .toExponential(decimals)
+    .replace(/\.?0+e/, "e")
+    .replace("e+", "e");
+}
+
+/** The shortest text that reads back as the same double. */
+export function exact(number: number): string {
+  return String(number);
+}
+
+/** `[0.5, 0, -1]`, exact. */
+export function exactArray(numbers: readonly number[]): string {
+  return `[${numbers.map(exact).join(", ")}]`;
+}
+
+/** `[[…], […]]`, row by row, exact. */
+export function exactRows(rows: readonly (readonly number[])[]): string {
+  return `[${rows.map(exactArray).join(", ")}]`;
+}
+
+/** `[0.5, 0, −1]` for reading. */
+export function shownArray(numbers: readonly number[], digits: Digits): string {
+  const largest = largestOf(numbers);
+  return `[${numbers.map((number) => shown(number, digits, largest)).join(", ")}]`;
+}
+
+const figureSpace = "\u2007";
+
+/** Cells of a matrix, padded so that the decimal points of each column stand below each other. */
+export function alignedRows(rows: readonly (readonly number[])[], digits: Digits): string[][] {
+  const largest = largestOf(rows.flat());
+  const cells = rows.map((row) =>
+    row.map((number) => splitAtPoint(shown(number, digits, largest))),
+  );
+  const widths = (part: 0 | 1, column: number) =>
+    Math.max(...cells.map((row) => row[column]?.[part].length ?? 0));
+  return cells.map((row) =>
+    row.map(([whole, fraction], column) => {
+      return (
+        whole.padStart(widths(0, column), figureSpace) +
+        fraction.padEnd(widths(1, column), figureSpace)
+      );
+    }),
+  );
+}
+
+function splitAtPoint(text: string): [string, string] {
+  const at = text.search(/[.e]/);
+  return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];
+}
+
+/** `45.000000°` for reading. */
+export function shownDegrees(angle: number, digits: Digits): string {
+  return `${shown(angle, digits)}°`;
+}
+
+const axisNames: [string, readonly number[]][] = [
+  ["x", [1, 0, 0]],
+  ["y", [0, 1, 0]],
+  ["z", [0, 0, 1]],
+  ["−x", [-1, 0, 0]],
+  ["−y", [0, -1, 0]],
+  ["−z", [0, 0, -1]],
+];
+
+/** `z`, `−x` or `[0.57735, …]`. */
+export function shownAxis(axis: readonly number[], digits: Digits): string {
+  const named = axisNames.find(([, unit]) => unit.every((number, at) => number === axis[at]));
+  return named?.[0] ?? shownArray(axis, digits);
+}

@@ -1,0 +1,48 @@
+// Start: load the engine, mount the page, keep the address and the state in step.
+import { effect } from "@preact/signals";
+import { render } from "preact";
+import { toFragment } from "./address.ts";
+import { loadEngine } from "./engine.ts";
+import { createStore } from "./state.ts";
+import "./style.css";
+import { Page } from "./view/Page.tsx";
+
+const root = document.getElementById("page");
+if (root === null) throw new Error("index.html has no element #page");
+
+loadEngine().then(
+  (engine) => {
+    const store = createStore(engine, location.hash);
+    root.replaceChildren();
+    render(<Page store={store} />, root);
+    keepAddress(store);
+  },
+  (error: unknown) => {
+    root
+      .querySelector("[data-loading]")
+      ?.replaceChildren(
+        `The core could not be loaded (${error}). Reload the page; a strict content policy must allow 'wasm-unsafe-eval'.`,
+      );
+  },
+);
+
+/** Browsers refuse more than about a hundred changes of the address in half a minute. */
+const addressDelayMs = 300;
+
+function keepAddress(store: ReturnType<typeof createStore>) {
+  let pending: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const fragment = `#${toFragment(store.state.value)}`;
+    clearTimeout(pending);
+    pending = setTimeout(() => history.replaceState(null, "", fragment), addressDelayMs);
+  });
+  const write = () => {
+    clearTimeout(pending);
+    history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
+  };
+  addEventListener("pagehide", write);
+  addEventListener("hashchange", () => {
+    clearTimeout(pending);
+    store.open(location.hash);
+  });
+}

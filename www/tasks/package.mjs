@@ -1,0 +1,48 @@
+// The npm package: one CommonJS file that holds the optimised wasm, an ES module in front of it,
+// and the types.
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { ask, root, Stop, say } from "./shell.mjs";
+
+export async function buildPackage() {
+  say("building the npm package");
+  const { build } = await import("vite");
+  const out = join(root, "dist", "npm");
+  rmSync(out, { recursive: true, force: true });
+  await build({
+    configFile: false,
+    logLevel: "warn",
+    root: join(root, "www", "package"),
+    build: {
+      lib: { entry: "index.ts", formats: ["cjs"], fileName: () => "index.cjs" },
+      outDir: out,
+      emptyOutDir: true,
+      minify: false,
+      target: "node20",
+    },
+  });
+  // One instance serves both: the ES module only passes on what the CommonJS file made.
+  const names = Object.keys((await import(`${out}/index.cjs`)).default).sort();
+  const esModule = [
+    'import quatlas from "./index.cjs";',
+    `export const { ${names.join(", ")} } = quatlas;`,
+  ];
+  writeFileSync(join(out, "index.mjs"), `${esModule.join("\n")}\n`);
+  writeTypes(out);
+}
+
+/** The types that the core generates, and the declarations of what index.ts exports. */
+function writeTypes(out) {
+  const emitted = ask("tsc", "-p", "www/package", "--declarationDir", out);
+  if (emitted === undefined) throw new Stop("the types of the package could not be made");
+  const core = readFileSync(join(root, "pkg", "quatlas.d.ts"), "utf8");
+  const coreTypes = core.slice(0, core.search(/\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*export function/));
+  const index = readFileSync(join(out, "index.d.ts"), "utf8").replace(
+    /^.*pkg\/quatlas\.js.*\n/gm,
+    "",
+  );
+  for (const extension of ["d.mts", "d.cts"]) {
+    writeFileSync(join(out, `index.${extension}`), coreTypes + index);
+  }
+  rmSync(join(out, "index.d.ts"));
+}

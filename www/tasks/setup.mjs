@@ -1,0 +1,154 @@
+// What a fresh machine lacks is installed here, each thing once, each with one line.
+import { createHash } from "node:crypto";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { ask, exists, root, runQuietly, Stop, say } from "./shell.mjs";
+
+const OLDEST_NODE = 20;
+const OLDEST_RUST = [1, 89];
+/** Older ones do not know the options that the build uses. */
+const OLDEST_WASM_PACK = [0, 13];
+const WASM_PACK = "0.15.1";
+const WASM = "wasm32-unknown-unknown";
+const NETWORK = "check the network connection and run this again";
+
+export async function setUp() {
+  checkNode();
+  checkRust();
+  await installNodeModules();
+  await addWasmTarget();
+  await installWasmPack();
+}
+
+function checkNode() {
+  const [major] = process.versions.node.split(".").map(Number);
+  if (major < OLDEST_NODE) {
+    throw new Stop(
+      `Node ${OLDEST_NODE} or newer is needed and this is ${process.versions.node}: install it from https://nodejs.org`,
+    );
+  }
+}
+
+function checkRust() {
+  const version = ask("cargo", "--version");
+  if (version === undefined) {
+    throw new Stop(
+      "cargo was not found: install Rust from https://rustup.rs, open a new terminal and run this again",
+    );
+  }
+  if (isOlder(version, OLDEST_RUST)) {
+    throw new Stop(
+      `Rust ${OLDEST_RUST.join(".")} or newer is needed and this is ${version}: run "rustup update stable"`,
+    );
+  }
+}
+
+/** Whether the first version number in a text is older than another. */
+function isOlder(text, [oldestMajor, oldestMinor]) {
+  const [, major, minor] = text.match(/(\d+)\.(\d+)/)?.map(Number) ?? [0, 0, 0];
+  return major < oldestMajor || (major === oldestMajor && minor < oldestMinor);
+}
+
+async function installNodeModules() {
+  const lock = createHash("sha256")
+    .update(readFileSync(join(root, "package-lock.json")))
+    .digest("hex");
+  const stamp = join(root, "node_modules", ".quatlas-lock");
+  if (existsSync(stamp) && readFileSync(stamp, "utf8") === lock) return;
+  say("installing the node modules of the lock file (first time only, under a minute)");
+  const npm = process.env.npm_execpath;
+  const [command, ...args] = npm?.endsWith("js") ? [process.execPath, npm] : ["npm"];
+  await runQuietly(NETWORK, command, ...args, "ci", "--no-audit", "--no-fund");
+  writeFileSync(stamp, lock);
+}
+
+async function addWasmTarget() {
+  const folder = ask("rustc", "--print", "target-libdir", "--target", WASM);
+  if (folder !== undefined && existsSync(folder)) return;
+  if (ask("rustup", "--version") === undefined) {
+    throw new Stop(
+      `this Rust has no ${WASM} target and there is no rustup to add it: install Rust from https://rustup.rs`,
+    );
+  }
+  say(`adding the Rust target ${WASM} (first time only, under a minute)`);
+  await runQuietly(NETWORK, "rustup", "target", "add", WASM);
+}
+
+async function installWasmPack() {
+  const version = ask("wasm-pack", "--version");
+  if (version !== undefined && !isOlder(version, OLDEST_WASM_PACK)) return;
+  say(`installing wasm-pack ${WASM_PACK} with cargo (first time only, about three minutes)`);
+  await runQuietly(
+    NETWORK,
+    "cargo",
+    "install",
+    "wasm-pack",
+    "--version",
+    WASM_PACK,
+    "--locked",
+    "--force",
+  );
+}
+
+const BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+const BROWSER_PATHS = [
+  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
+];
+
+/** Finds or installs a Chromium and returns its path; undefined where Playwright has its own. */
+export async function setUpBrowser() {
+  const found = findBrowser();
+  if (found !== undefined) return found;
+  const isRoot = process.getuid?.() === 0;
+  if (isRoot && ask("apt-get", "--version") !== undefined) {
+    say("installing the distribution's Chromium for the browser tests (first time only, a minute)");
+    try {
+      await runQuietly(NETWORK, "apt-get", "update");
+      await runQuietly(NETWORK, "apt-get", "install", "-y", "--no-install-recommends", "chromium");
+      const installed = findBrowser();
+      if (installed !== undefined) return installed;
+    } catch (error) {
+      if (!(error instanceof Stop)) throw error;
+    }
+  }
+  say("installing Playwright's Chromium for the browser tests (first time only, a minute)");
+  const advice = "install Chromium or Chrome by hand and run this again";
+  await runQuietly(advice, "playwright", "install", "chromium");
+  return undefined;
+}
+
+function findBrowser() {
+  const path = BROWSER_PATHS.find(existsSync);
+  if (path !== undefined || process.platform === "win32") return path;
+  return BROWSERS.map((name) => ask("which", name)).find(Boolean);
+}
+
+/** Builds the core with wasm-pack, unless nothing it is made of has changed. */
+export async function buildCore() {
+  const inputs =
+    ask("git", "ls-files", "-co", "--exclude-standard", "src")?.split("\n").sort() ?? [];
+  const hash = createHash("sha256");
+  for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", ...inputs]) {
+    if (exists(file)) hash.update(file).update(readFileSync(join(root, file)));
+  }
+  const fingerprint = hash.digest("hex");
+  const stamp = join(root, "pkg", ".fingerprint");
+  const isCurrent = inputs.length > 0 && existsSync(stamp);
+  if (isCurrent && readFileSync(stamp, "utf8") === fingerprint) return;
+  say(
+    "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
+  );
+  await runQuietly(
+    "look there for the compiler's words, or check the network connection",
+    "wasm-pack",
+    "build",
+    "--release",
+    "--target",
+    "web",
+    "--out-dir",
+    "pkg",
+    "--no-pack",
+  );
+  writeFileSync(stamp, fingerprint);
+}

@@ -1,0 +1,85 @@
+// Running other programs, and ending in one plain line when something is missing.
+import { spawn, spawnSync } from "node:child_process";
+import { createWriteStream, existsSync, mkdirSync } from "node:fs";
+import { homedir } from "node:os";
+import { delimiter, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const root = fileURLToPath(new URL("../..", import.meta.url));
+const isWindows = process.platform === "win32";
+
+/** A reason to end that the person at the keyboard can do something about. */
+export class Stop extends Error {}
+
+// What cargo and npm install is found by its place, not by what the shell was told before.
+const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
+process.env.PATH = [
+  join(root, "node_modules", ".bin"),
+  process.env.PATH,
+  join(cargoHome, "bin"),
+].join(delimiter);
+
+export function say(line) {
+  console.log(`quatlas: ${line}`);
+}
+
+/** What a program prints, or undefined where there is no such program or it fails. */
+export function ask(command, ...args) {
+  const { status, stdout } = spawnSync(command, args, {
+    cwd: root,
+    encoding: "utf8",
+    shell: isWindows,
+  });
+  return status === 0 ? stdout.trim() : undefined;
+}
+
+/** Runs a program with its output on the screen. */
+export function run(command, ...args) {
+  const { status } = spawnSync(command, args, {
+    cwd: root,
+    stdio: "inherit",
+    shell: isWindows,
+  });
+  if (status !== 0) throw new Stop(`${[command, ...args].join(" ")} failed; its words are above`);
+}
+
+/** Runs a program with its output in a log, which is named if it fails. */
+export async function runQuietly(advice, command, ...args) {
+  const folder = join(root, "target");
+  mkdirSync(folder, { recursive: true });
+  const logFile = join("target", `${command.replace(/\W/g, "-")}.log`);
+  const log = createWriteStream(join(root, logFile));
+  let lastLines = "";
+  const status = await new Promise((resolve) => {
+    const child = spawn(command, args, { cwd: root, shell: isWindows });
+    for (const stream of [child.stdout, child.stderr]) {
+      stream.on("data", (chunk) => {
+        log.write(chunk);
+        lastLines = (lastLines + chunk).slice(-4000);
+      });
+    }
+    child.on("error", () => resolve(undefined));
+    child.on("close", resolve);
+  });
+  log.end();
+  if (status === 0) return;
+  const reason = lastLines.split("\n").findLast((line) => /error|fail|could not/i.test(line));
+  throw new Stop(
+    `${[command, ...args].join(" ")} failed${reason ? ` (${reason.trim()})` : ""}; ${advice} (all it said is in ${logFile})`,
+  );
+}
+
+/** Runs a task; a Stop becomes one line and exit code 1. */
+export async function main(task) {
+  try {
+    await task();
+  } catch (error) {
+    if (!(error instanceof Stop)) throw error;
+    console.error(`quatlas: ${error.message}`);
+    process.exit(1);
+  }
+}
+
+export function exists(...path) {
+  return existsSync(join(root, ...path));
+}

@@ -1,0 +1,46 @@
+// What no convention changes: the turn itself.
+import type { Digits } from "../address.ts";
+import type { ReadReport } from "../engine.ts";
+import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { Copy } from "./Value.tsx";
+
+export function Facts({ report, digits }: { report: ReadReport; digits: Digits }) {
+  const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
+  const opposite = report.hamilton.unit.array.map((number) => 0 - number);
+  return (
+    <section class="facts" aria-label="The turn, in every convention the same">
+      <div class="fact">
+        <h2>Axis and angle</h2>
+        <p class="fact-value">
+          <code>
+            {axis === undefined ? "no turn, no axis" : shownAxis(axis, digits)}
+            {axis !== undefined && `, ${shownDegrees(angleDeg, digits)}`}
+          </code>
+          <Copy of="angle in radians" text={exact(angleRad)} />
+        </p>
+        <p>
+          <code>{shown(angleRad, digits)}</code> rad. Carries the world axes onto the body axes,
+          right-handed.
+        </p>
+      </div>
+      <div class="fact">
+        <h2>Rotation vector</h2>
+        <p class="fact-value">
+          <code>{shownArray(rotationVectorRad, digits)}</code>
+          <Copy of="rotation vector" text={exactArray(rotationVectorRad)} />
+        </p>
+        <p>Angle times axis, in radians. No convention changes it.</p>
+      </div>
+      <div class="fact">
+        <h2>The other sign</h2>
+        <p class="fact-value">
+          <code>{shownArray(opposite, digits)}</code>
+          <Copy of="minus q" text={exactArray(opposite)} />
+        </p>
+        <p>
+          −<var>q</var>, as <code>w x y z</code>: the same rotation, not its inverse.
+        </p>
+      </div>
+    </section>
+  );
+}

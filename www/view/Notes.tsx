@@ -1,0 +1,112 @@
+// What a careful reader should know about the input: one plain line each.
+import type { ComponentChildren } from "preact";
+import type { Digits } from "../address.ts";
+import type { ComponentOrder, Fact, Note, OrderSource } from "../engine.ts";
+import { shown, shownDegrees } from "../format.ts";
+
+export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digits }) {
+  if (notes.length === 0) return null;
+  return (
+    <ul class="notes">
+      {notes.map((note) => (
+        <li key={`${note.field} ${note.fact.kind}`}>
+          {(note.field === "p" || note.field === "q") && (
+            <>
+              <var>{note.field}</var>:{" "}
+            </>
+          )}
+          {words(note.fact, digits)}
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+const orders: Record<ComponentOrder, string> = {
+  "scalar-first": "w x y z",
+  "scalar-last": "x y z w",
+};
+
+const otherOrder: Record<ComponentOrder, ComponentOrder> = {
+  "scalar-first": "scalar-last",
+  "scalar-last": "scalar-first",
+};
+
+const sources: Record<OrderSource, string> = {
+  declared: "declaration",
+  named: "names",
+  grouped: "brackets",
+  constructor: "constructor",
+};
+
+function words(fact: Fact, digits: Digits): ComponentChildren {
+  switch (fact.kind) {
+    case "normalised":
+      return fact.norm === undefined || fact.deviation === undefined ? (
+        <>The norm is beyond the range of a double; the matrices use the quaternion of norm 1.</>
+      ) : (
+        <>
+          The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
+          <code>{shown(Number(fact.deviation.toPrecision(2)), "all")}</code>: the matrices use{" "}
+          <var>q</var>/|<var>q</var>|.
+        </>
+      );
+    case "order-from-text":
+      return (
+        <>
+          The text tells its order by its {sources[fact.source]} ({orders[fact.order]}
+          ), which is not the declared one; the text wins.
+        </>
+      );
+    case "order-assumed":
+      return (
+        <>
+          Bare numbers do not tell their order: read as <code>{orders[fact.order]}</code>. As{" "}
+          <code>{orders[otherOrder[fact.order]]}</code> they would be a rotation{" "}
+          <code>{shownDegrees(Number(fact.otherOrderDiffersByDeg.toFixed(1)), "all")}</code> away.
+        </>
+      );
+    case "order-invisible":
+      return (
+        <>
+          This input cannot show its order: as <code>w x y z</code> and as <code>x y z w</code> it
+          is the same rotation. Test with another one.
+        </>
+      );
+    case "unknown-constructor":
+      return (
+        <>
+          The order of <code>{fact.name}</code> is not known here: read as{" "}
+          <code>{orders[fact.order]}</code>, as declared.
+        </>
+      );
+    case "negative-scalar":
+      return (
+        <>
+          The scalar is negative: −<var>q</var> is the same rotation and names the shorter turn,
+          which is the one given below.
+        </>
+      );
+    case "no-turn":
+      return (
+        <>This is no turn at all: every convention agrees on it, so it tells none from another.</>
+      );
+    case "half-turn":
+      return (
+        <>
+          Half a turn: the axis and its opposite are equally right, and the matrix is its own
+          transpose, so it cannot tell the conventions apart.
+        </>
+      );
+    case "out-of-range":
+      return outOfRange[fact.what];
+  }
+}
+
+const outOfRange = {
+  norm: "The norm is beyond the range of a double.",
+  inverse: "The inverse is beyond the range of a double and is left out.",
+  image: "The turned vector is beyond the range of a double and is left out.",
+  product:
+    "The product of the numbers as typed is beyond the range of a double; the product of the quaternions of norm 1 is shown.",
+} as const;

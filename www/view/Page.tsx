@@ -1,0 +1,77 @@
+// The frame of the page: name, views, the view itself, and what is said aloud.
+import { toFragment, type View } from "../address.ts";
+import { shown, shownAxis, shownDegrees } from "../format.ts";
+import type { Store } from "../state.ts";
+import { Compose } from "./Compose.tsx";
+import { Read } from "./Read.tsx";
+
+const views: { view: View; name: string }[] = [
+  { view: "read", name: "Read" },
+  { view: "compose", name: "Compose" },
+];
+
+export function Page({ store }: { store: Store }) {
+  const state = store.state.value;
+  const failure = store.failure.value;
+  return (
+    <>
+      <header class="masthead">
+        <h1 class="wordmark">quatlas</h1>
+        <p class="tagline">One rotation, every convention.</p>
+        <nav class="views" aria-label="Views">
+          {views.map(({ view, name }) => (
+            <a
+              key={view}
+              href={`#${toFragment({ ...state, view })}`}
+              aria-current={state.view === view ? "page" : undefined}
+            >
+              {name}
+            </a>
+          ))}
+        </nav>
+      </header>
+      <main>
+        {failure !== undefined && (
+          <p class="failure" role="alert">
+            The core stopped on this input, which is a mistake in quatlas, not in your text:{" "}
+            <code>{failure}</code>. The last good result stays below; go on with another text, or
+            reload the page.
+          </p>
+        )}
+        {state.view === "read" ? <Read store={store} /> : <Compose store={store} />}
+      </main>
+      <footer class="colophon">
+        <p>
+          Computed in your browser; nothing you type is sent anywhere. The address of the page holds
+          what you typed: share it as a link.
+        </p>
+      </footer>
+      <p class="visually-hidden" role="status" aria-live="polite">
+        {spoken(store)}
+      </p>
+    </>
+  );
+}
+
+/** What a screen reader hears when the result changes. */
+function spoken(store: Store): string {
+  const { view, digits } = store.state.value;
+  const problems = (["quaternion", "p", "q", "vector"] as const)
+    .map((field) => store.problemOf(field))
+    .filter((problem) => problem !== undefined);
+  const [problem] = problems;
+  if (problem !== undefined) {
+    return `Problem: ${problem.message}. Expected ${problem.expected}. The last good result is still shown.`;
+  }
+  if (view === "compose") {
+    const product = store.compose.value?.report.products[0];
+    if (product === undefined) return "";
+    const { w, x, y, z } = product.quaternion;
+    const [first, second, third, fourth] = [w, x, y, z].map((number) => shown(number, digits));
+    return `p times q, Hamilton: w ${first}, x ${second}, y ${third}, z ${fourth}.`;
+  }
+  const turn = store.read.value?.report.turn;
+  if (turn === undefined) return "";
+  if (turn.axis === undefined) return "Result: no turn.";
+  return `Result: a turn by ${shownDegrees(turn.angleDeg, digits)} about ${shownAxis(turn.axis, digits)}.`;
+}

@@ -1,0 +1,62 @@
+// How the two readings relate: two true sentences that must not be mixed up.
+import type { Digits, Preset } from "../address.ts";
+import type { ReadReport } from "../engine.ts";
+import { shownArray } from "../format.ts";
+
+export function Relation({
+  report,
+  digits,
+  declared,
+}: {
+  report: ReadReport;
+  digits: Digits;
+  declared: Preset;
+}) {
+  const array = (numbers: readonly number[]) => <code>{shownArray(numbers, digits)}</code>;
+  return (
+    <section class="relation" aria-label="How the two readings relate">
+      <div class="relation-part applies">
+        <h2>Same numbers, transposed matrices</h2>
+        <p>
+          <var>C</var>(<var>q</var>) = <var>R</var>(<var>q</var>)<sup>T</sup>. Hamilton leads from
+          body to world and JPL from world to body, so both say the same attitude:{" "}
+          <strong>nothing is conjugated</strong>, only the order of the numbers changes.
+        </p>
+        <p class="relation-numbers">
+          <span class="hamilton">{array(report.hamilton.quaternion.array)}</span>
+          <span class="relation-sign" aria-hidden="true">
+            ⇄
+          </span>
+          <span class="visually-hidden"> in Hamilton is in JPL </span>
+          <span class="jpl">{array(report.jpl.quaternion.array)}</span>
+        </p>
+        <p class="relation-applies">
+          {declared === "hamilton"
+            ? "Applies to you if the JPL side keeps its custom, world to body."
+            : "Applies to you if the Hamilton side keeps its custom, body to world."}
+        </p>
+      </div>
+      <div class="relation-part">
+        <h2>Same matrix, conjugate numbers</h2>
+        <p>
+          If a JPL program states the direction body to world, its matrix <var>C</var> is this{" "}
+          <var>R</var>(<var>q</var>), and its vector part has the <strong>other sign</strong>{" "}
+          <span class="source">(Yoosefian 2021, eq. 18)</span>.
+        </p>
+        <p class="relation-numbers">
+          <span class="hamilton">{array(report.hamilton.unit.array)}</span>
+          <span class="relation-sign" aria-hidden="true">
+            ⇄
+          </span>
+          <span class="visually-hidden"> in Hamilton is in JPL, body to world, </span>
+          <span class="jpl">{array(report.jplWithSameMatrix.array)}</span>
+        </p>
+        <p class="relation-applies">
+          {declared === "hamilton"
+            ? "Not what you declared: only for a JPL side that states body to world."
+            : "Not what you declared: your JPL numbers lead from world to body."}
+        </p>
+      </div>
+    </section>
+  );
+}

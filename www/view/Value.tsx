@@ -1,0 +1,139 @@
+// Numbers on the page: components by name, matrices with brackets, rows, and the copy button.
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import type { Digits } from "../address.ts";
+import type { Components, Convention } from "../engine.ts";
+import { alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
+
+const copiedForMs = 1600;
+
+/** Copies the exact text of a value and says so. */
+export function Copy({ of, text }: { of: string; text: string }) {
+  const [said, setSaid] = useState<"" | "copied" | "not allowed">("");
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(text);
+      setSaid("copied");
+    } catch {
+      setSaid("not allowed");
+    }
+    setTimeout(() => setSaid(""), copiedForMs);
+  };
+  return (
+    <button type="button" class="copy" onClick={copy} title={text}>
+      <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true">
+        {said === "copied" ? (
+          <path d="M3 8.5 L6.5 12 L13 4.5" />
+        ) : (
+          <path d="M5.5 5.5 h7 v8 h-7 z M10.5 5.5 v-3 h-7 v8 h2" />
+        )}
+      </svg>
+      <span class="visually-hidden">{said === "" ? `Copy ${of}` : `${of} ${said}`}</span>
+    </button>
+  );
+}
+
+/** The four components in the order of the convention, each under its name. */
+export function ComponentStrip({
+  symbol,
+  components,
+  convention,
+  digits,
+}: {
+  symbol: string;
+  components: Components;
+  convention: Convention;
+  digits: Digits;
+}) {
+  const names = namesInOrder(convention);
+  const largest = Math.max(...components.array.map(Math.abs));
+  return (
+    <div class="strip">
+      <var>{symbol}</var>
+      <dl>
+        {names.map((name, at) => (
+          <div key={name} class={name === "w" ? "strip-scalar" : undefined}>
+            <dt>{name}</dt>
+            <dd>{shown(components.array[at] ?? 0, digits, largest)}</dd>
+          </div>
+        ))}
+      </dl>
+      <Copy of={symbol} text={exactArray(components.array)} />
+    </div>
+  );
+}
+
+export function namesInOrder(convention: Convention): ("w" | "x" | "y" | "z")[] {
+  return convention.order === "scalar-first" ? ["w", "x", "y", "z"] : ["x", "y", "z", "w"];
+}
+
+/** A matrix with brackets and aligned decimals, under its name and what it does. */
+export function Matrix({
+  name,
+  symbol,
+  caption,
+  rows,
+  digits,
+}: {
+  /** For the copy button and for screen readers. */
+  name: string;
+  symbol: ComponentChildren;
+  caption?: string;
+  rows: readonly (readonly number[])[];
+  digits: Digits;
+}) {
+  return (
+    <figure class="matrix">
+      <figcaption>
+        <span class="matrix-symbol">{symbol}</span>
+        {caption !== undefined && <span class="matrix-caption">{caption}</span>}
+        <Copy of={name} text={exactRows(rows)} />
+      </figcaption>
+      <div class="matrix-scroll">
+        <table aria-label={name}>
+          <tbody>
+            {alignedRows(rows, digits).map((row, at) => (
+              // biome-ignore lint/suspicious/noArrayIndexKey: the rows of a matrix have no other name
+              <tr key={at}>
+                {row.map((cell, column) => (
+                  // biome-ignore lint/suspicious/noArrayIndexKey: nor do its columns
+                  <td key={column}>{cell}</td>
+                ))}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </figure>
+  );
+}
+
+/** A named row with an array: `R(q) x   [0, 1, 0]`. */
+export function ArrayRow({
+  name,
+  symbol,
+  numbers,
+  digits,
+  note,
+}: {
+  name: string;
+  symbol: ComponentChildren;
+  numbers: readonly number[] | undefined;
+  digits: Digits;
+  note?: ComponentChildren;
+}) {
+  return (
+    <div class="row">
+      <span class="row-symbol">{symbol}</span>
+      <span class="row-value">
+        {numbers === undefined ? (
+          <span class="row-absent">beyond the range of a double</span>
+        ) : (
+          <code>{shownArray(numbers, digits)}</code>
+        )}
+        {note !== undefined && <span class="row-note">{note}</span>}
+      </span>
+      {numbers !== undefined && <Copy of={name} text={exactArray(numbers)} />}
+    </div>
+  );
+}

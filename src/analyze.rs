@@ -44,8 +44,10 @@ const HALF_TURN_SCALAR: f64 = f64::EPSILON / 2.0;
 #[must_use]
 pub fn analyze(request: &Request) -> Outcome {
     let answered = match request {
-        Request::Read(request) => read(request).map(Outcome::Read),
-        Request::Compose(request) => answer_compose(request).map(Outcome::Compose),
+        Request::Read(request) => read(request).map(|report| Outcome::Read(Box::new(report))),
+        Request::Compose(request) => {
+            answer_compose(request).map(|report| Outcome::Compose(Box::new(report)))
+        }
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

@@ -216,7 +216,7 @@ impl Convention {
 
     /// JPL (Shuster): `[x, y, z, w]`, `ij = -k`, world coordinates to body coordinates.
     ///
-    /// MSCKF, OpenVINS and the attitude literature of spaceflight.
+    /// MSCKF, `OpenVINS` and the attitude literature of spaceflight.
     #[doc(alias = "shuster")]
     pub const JPL: Self = Self {
         order: ComponentOrder::ScalarLast,

@@ -16,13 +16,8 @@
 //! crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
 //! tags at the edge.
 
-#![cfg_attr(
-    test,
-    allow(
-        clippy::unwrap_used,
-        reason = "a test may stop at what it did not expect"
-    )
-)]
+// Nothing that is typed may panic. The tests may.
+#![warn(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
 
 pub use nalgebra;
 
@@ -45,6 +40,8 @@ pub mod request;
 mod lex;
 // The arithmetic of typed text.
 mod linear;
+// The members that a text consists of.
+mod tree;
 // Tokens to a tree.
 mod syntax;
 // The order of known constructors.

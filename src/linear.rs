@@ -62,7 +62,7 @@ impl Linear {
         }
         let value = function(argument.scalar);
         if value.is_nan() {
-            return Err(Fault::not_a_number(span, name));
+            return Err(Fault::no_real_value(span, name));
         }
         Self::real(value).checked(span)
     }

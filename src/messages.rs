@@ -122,14 +122,44 @@ impl Fault {
         )
     }
 
-    pub(crate) fn unexpected(span: Span, found: &str, wanted: &str) -> Self {
+    pub(crate) fn unexpected(span: Span, found: &str) -> Self {
         let found = shorten(found, QUOTED_CHARACTERS);
         Self::new(
             ProblemCode::Unexpected,
             span,
             format!("{found} cannot stand here"),
-            wanted,
+            "a number or a name",
             "remove it, or write what is missing before it",
+        )
+    }
+
+    pub(crate) fn list_for_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a list cannot stand here",
+            "a number",
+            "write the numbers one after the other, without these brackets",
+        )
+    }
+
+    pub(crate) fn unit_for_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "an imaginary unit cannot stand here",
+            "a real number",
+            "write the number alone: the name says which component it is",
+        )
+    }
+
+    pub(crate) fn argument_count(span: Span, function: &str) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            format!("{function} takes one number"),
+            "one number in the brackets",
+            format!("write {function} of one number"),
         )
     }
 
@@ -279,7 +309,17 @@ impl Fault {
             span,
             format!("{written} is not a real number"),
             "a finite number",
-            "look where it was computed: a NaN usually comes from a zero norm or an acos beyond 1",
+            "look where it was computed: a NaN often comes from a zero norm or an acos beyond 1",
+        )
+    }
+
+    pub(crate) fn no_real_value(span: Span, function: &str) -> Self {
+        Self::new(
+            ProblemCode::NotANumber,
+            span,
+            format!("{function} of this number is not a real number"),
+            "sqrt of 0 or more; asin and acos of -1 to 1",
+            "write the number that is meant",
         )
     }
 
@@ -289,7 +329,7 @@ impl Fault {
             span,
             "infinity is not a component of a rotation",
             "a finite number",
-            "look where it was computed: an infinity usually comes from a division by zero",
+            "look where it was computed: an infinity often comes from a division by zero",
         )
     }
 

@@ -49,8 +49,10 @@ use crate::linear::Linear;
 use crate::messages::{Fault, Wanted};
 use crate::problem::{Field, Problem, Span};
 use crate::report::OrderSource;
-use crate::syntax::{self, Entry, Lead, Node, NodeKind};
+use crate::syntax;
+use crate::tree::{Entry, Lead, NodeKind};
 use nalgebra::{Quaternion, Vector3};
+use std::borrow::Cow;
 
 /// Four finite numbers, and how the text told which is which.
 #[derive(Clone, Debug, PartialEq)]
@@ -186,11 +188,15 @@ fn quaternion(
     span: Span,
     hint: OrderHint,
 ) -> Result<ParsedQuaternion, Fault> {
+    let entries = &without_label(entries)[..];
     if let [only] = entries
-        && only.key.is_none_or(|key| component(key.name).is_none())
+        && only.key.is_none()
     {
         match &only.node.kind {
             NodeKind::List(inner) => return quaternion(inner, only.node.span, hint),
+            NodeKind::Call { name, arguments } if arguments.is_empty() => {
+                return Err(Fault::unknown_word(only.node.span, name));
+            }
             NodeKind::Call { name, arguments } => {
                 let hint = hint.of_call(name, arguments);
                 let members: Vec<_> = arguments
@@ -232,7 +238,7 @@ fn quaternion(
                 source: OrderSource::Grouped,
                 unknown_constructor: None,
             }
-            .with(Quaternion::from_parts(real(scalar)?, part)));
+            .with(Quaternion::from_parts(scalar.real()?, part)));
         }
     }
     let values = values(entries)?;
@@ -257,8 +263,9 @@ fn quaternion(
 }
 
 fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
+    let entries = &without_label(entries)[..];
     if let [only] = entries
-        && only.key.is_none_or(|key| component(key.name).is_none())
+        && only.key.is_none()
         && let NodeKind::List(inner)
         | NodeKind::Call {
             arguments: inner, ..
@@ -282,6 +289,22 @@ fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
         .try_into()
         .map_err(|found: Vec<f64>| Fault::wrong_count(span, Wanted::Vector, found.len()))?;
     Ok(Vector3::new(x, y, z))
+}
+
+/// The members without the name of the whole, as in `q = 0.92 + 0.38k` or `orientation: [0, 0, 0, 1]`.
+fn without_label<'e, 't>(entries: &'e [Entry<'t>]) -> Cow<'e, [Entry<'t>]> {
+    let is_label = match entries {
+        [first, rest @ ..] => {
+            first.key.is_some_and(|key| component(key.name).is_none())
+                && rest.iter().all(|entry| entry.key.is_none())
+        }
+        [] => false,
+    };
+    let mut entries = Cow::Borrowed(entries);
+    if is_label {
+        entries.to_mut()[0].key = None;
+    }
+    entries
 }
 
 const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
@@ -310,7 +333,7 @@ fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], 
         if place == 0 && wanted == Wanted::Vector {
             return Err(Fault::scalar_in_vector(key.span.to(entry.node.span)));
         }
-        let number = real(&entry.node)?;
+        let number = entry.node.real()?;
         if found[place].replace(number).is_some() {
             let name = COMPONENT_NAMES[place];
             return Err(Fault::duplicate_component(
@@ -333,32 +356,10 @@ fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], 
     Ok(found.map(Option::unwrap_or_default))
 }
 
-fn value(node: &Node<'_>) -> Result<Linear, Fault> {
-    match &node.kind {
-        NodeKind::Value(value) => Ok(*value),
-        NodeKind::Word(word) | NodeKind::Call { name: word, .. } => {
-            Err(Fault::unknown_word(node.span, word))
-        }
-        NodeKind::List(_) => Err(Fault::unexpected(node.span, "a list", "a number")),
-    }
-}
-
-fn real(node: &Node<'_>) -> Result<f64, Fault> {
-    let value = value(node)?;
-    match value.units {
-        None => Ok(value.scalar),
-        Some(_) => Err(Fault::unexpected(
-            node.span,
-            "an imaginary unit",
-            "a real number",
-        )),
-    }
-}
-
 fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
     entries
         .iter()
-        .map(|entry| Ok((value(&entry.node)?, entry.node.span)))
+        .map(|entry| Ok((entry.node.value()?, entry.node.span)))
         .collect()
 }
 

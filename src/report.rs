@@ -19,9 +19,9 @@ pub type Rows4 = [[f64; 4]; 4];
 #[serde(tag = "status", rename_all = "kebab-case")]
 pub enum Outcome {
     /// The answer to a [`Request::Read`](crate::Request::Read).
-    Read(ReadReport),
+    Read(Box<ReadReport>),
     /// The answer to a [`Request::Compose`](crate::Request::Compose).
-    Compose(ComposeReport),
+    Compose(Box<ComposeReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }

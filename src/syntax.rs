@@ -6,6 +6,7 @@ use crate::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
+use crate::tree::{Entry, Key, Lead, Node, NodeKind};
 use winnow::error::{ErrMode, ParserError};
 use winnow::prelude::*;
 use winnow::stream::Stateful;
@@ -13,47 +14,6 @@ use winnow::token::any;
 
 /// How many brackets may be open at once; a quaternion needs about four.
 const MAX_DEPTH: usize = 32;
-
-/// A piece of text that was understood.
-#[derive(Clone, Debug)]
-pub(crate) struct Node<'t> {
-    pub(crate) kind: NodeKind<'t>,
-    pub(crate) span: Span,
-}
-
-#[derive(Clone, Debug)]
-pub(crate) enum NodeKind<'t> {
-    Value(Linear),
-    List(Vec<Entry<'t>>),
-    Call {
-        name: &'t str,
-        arguments: Vec<Entry<'t>>,
-    },
-    Word(&'t str),
-}
-
-/// A member of a list: a node, perhaps with a name before it.
-#[derive(Clone, Debug)]
-pub(crate) struct Entry<'t> {
-    pub(crate) key: Option<Key<'t>>,
-    pub(crate) node: Node<'t>,
-    pub(crate) lead: Lead,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Key<'t> {
-    pub(crate) name: &'t str,
-    pub(crate) span: Span,
-}
-
-/// Whether a member is the first of its list, begins with a sign, or neither: a sum such as
-/// `0.92 +0.38k` is first read as two members.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Lead {
-    First,
-    Signed,
-    Bare,
-}
 
 /// Reads all tokens of a text.
 pub(crate) fn entries<'t>(tokens: &[Token<'t>], text: &str) -> Result<Vec<Entry<'t>>, Fault> {
@@ -137,7 +97,7 @@ fn computed<'t>(value: Result<Linear, Fault>, span: Span) -> Parsed<Node<'t>> {
 }
 
 fn unexpected(token: &Token<'_>) -> Fault {
-    Fault::unexpected(token.span, token.text, "a number or a name")
+    Fault::unexpected(token.span, token.text)
 }
 
 /// The empty place where the text ends.
@@ -345,7 +305,7 @@ fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             0 => stop(Fault::unmatched_bracket(token.span, token.text, None)),
             _ => stop(unexpected(&token)),
         },
-        _ => stop(unexpected(&token)),
+        _ => stop(not_finite(token).unwrap_or_else(|| unexpected(&token))),
     }
 }
 
@@ -354,10 +314,8 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
     if let Some(value) = Linear::unit(name).or_else(|| Linear::constant(name)) {
         return computed(Ok(value), token.span);
     }
-    match name.to_ascii_lowercase().as_str() {
-        "nan" => return stop(Fault::not_a_number(token.span, name)),
-        "inf" | "infinity" => return stop(Fault::infinite(token.span)),
-        _ => {}
+    if let Some(fault) = not_finite(token) {
+        return stop(fault);
     }
     // A declaration `Eigen::Quaterniond q(...)`: the variable's name says nothing.
     let declares = token_at(input, 0).is_some_and(|next| next.kind == TokenKind::Word)
@@ -398,7 +356,16 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
                 key: None, node, ..
             },
         ] => computed(Linear::call(name, value_of(node)?, node.span, span), span),
-        _ => stop(Fault::unexpected(span, name, "one number in the brackets")),
+        _ => stop(Fault::argument_count(span, name)),
+    }
+}
+
+/// How programs print what is no finite number.
+fn not_finite(token: Token<'_>) -> Option<Fault> {
+    match token.text.to_ascii_lowercase().as_str() {
+        "nan" => Some(Fault::not_a_number(token.span, token.text)),
+        "inf" | "infinity" => Some(Fault::infinite(token.span)),
+        _ => None,
     }
 }
 
@@ -455,10 +422,5 @@ fn bracketed<'t>(
 
 /// The number that a node stands for, where only a number makes sense.
 fn value_of(node: &Node<'_>) -> Parsed<Linear> {
-    match &node.kind {
-        NodeKind::Value(value) => Ok(*value),
-        NodeKind::Word(word) => stop(Fault::unknown_word(node.span, word)),
-        NodeKind::Call { name, .. } => stop(Fault::unknown_word(node.span, name)),
-        NodeKind::List(_) => stop(Fault::unexpected(node.span, "a list", "a number")),
-    }
+    node.value().or_else(stop)
 }

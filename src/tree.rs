@@ -1,0 +1,68 @@
+//! What the text of a quaternion or a vector is made of, once its arithmetic is done.
+
+use crate::linear::Linear;
+use crate::messages::Fault;
+use crate::problem::Span;
+
+/// A piece of text that was understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Node<'t> {
+    pub(crate) kind: NodeKind<'t>,
+    pub(crate) span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum NodeKind<'t> {
+    Value(Linear),
+    List(Vec<Entry<'t>>),
+    Call {
+        name: &'t str,
+        arguments: Vec<Entry<'t>>,
+    },
+    Word(&'t str),
+}
+
+/// A member of a list: a node, perhaps with a name before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry<'t> {
+    pub(crate) key: Option<Key<'t>>,
+    pub(crate) node: Node<'t>,
+    pub(crate) lead: Lead,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Key<'t> {
+    pub(crate) name: &'t str,
+    pub(crate) span: Span,
+}
+
+/// Whether a member is the first of its list, begins with a sign, or neither: a sum such as
+/// `0.92 +0.38k` is first read as two members.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lead {
+    First,
+    Signed,
+    Bare,
+}
+
+impl Node<'_> {
+    /// The number, or sum of units, that this is; a problem where it is something else.
+    pub(crate) fn value(&self) -> Result<Linear, Fault> {
+        match &self.kind {
+            NodeKind::Value(value) => Ok(*value),
+            NodeKind::Word(word) | NodeKind::Call { name: word, .. } => {
+                Err(Fault::unknown_word(self.span, word))
+            }
+            NodeKind::List(_) => Err(Fault::list_for_number(self.span)),
+        }
+    }
+
+    /// The real number that this is; a problem where it is something else.
+    pub(crate) fn real(&self) -> Result<f64, Fault> {
+        let value = self.value()?;
+        match value.units {
+            None => Ok(value.scalar),
+            Some(_) => Err(Fault::unit_for_number(self.span)),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! What several test files share.
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "each test file is a crate of its own and uses a part of this"
+)]
+
+use quatlas::nalgebra::{Matrix3, Quaternion};
+use quatlas::{
+    ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, Fact, Function,
+    Handedness, Outcome, Perturbation, Problem, ReadReport, ReadRequest, Request, analyze,
+};
+pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
+
+/// All 32 conventions, in the order of the table of the specification (section 2.4).
+pub(crate) fn all_conventions() -> Vec<Convention> {
+    let mut all = Vec::new();
+    for order in ComponentOrder::ALL {
+        for handedness in Handedness::ALL {
+            for function in Function::ALL {
+                for direction in Direction::ALL {
+                    for perturbation in Perturbation::ALL {
+                        all.push(Convention {
+                            order,
+                            handedness,
+                            function,
+                            direction,
+                            perturbation,
+                        });
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Compares lists of numbers with a tolerance that is absolute and scaled by max(1, |expected|).
+#[track_caller]
+pub(crate) fn assert_close(what: &str, got: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(
+        got.len(),
+        expected.len(),
+        "{what}: got {got:?}, expected {expected:?}"
+    );
+    for (number, wanted) in got.iter().zip(expected) {
+        assert!(
+            (number - wanted).abs() <= tolerance * wanted.abs().max(1.0),
+            "{what}: got {got:?}, expected {expected:?}"
+        );
+    }
+}
+
+/// The rows of a matrix, one after the other.
+pub(crate) fn row_major(matrix: &Matrix3<f64>) -> Vec<f64> {
+    matrix.transpose().as_slice().to_vec()
+}
+
+pub(crate) fn wxyz(quaternion: &Quaternion<f64>) -> [f64; 4] {
+    [quaternion.w, quaternion.i, quaternion.j, quaternion.k]
+}
+
+pub(crate) fn read_request(quaternion: &str, vector: &str, convention: Convention) -> Request {
+    Request::Read(ReadRequest {
+        quaternion: quaternion.into(),
+        vector: vector.into(),
+        convention,
+    })
+}
+
+#[track_caller]
+pub(crate) fn read(quaternion: &str, vector: &str, convention: Convention) -> ReadReport {
+    match analyze(&read_request(quaternion, vector, convention)) {
+        Outcome::Read(report) => *report,
+        other => panic!("{quaternion:?} has no report: {other:?}"),
+    }
+}
+
+#[track_caller]
+pub(crate) fn compose(p: &str, q: &str, vector: &str, convention: Convention) -> ComposeReport {
+    let request = Request::Compose(ComposeRequest {
+        p: p.into(),
+        q: q.into(),
+        vector: vector.into(),
+        convention,
+    });
+    match analyze(&request) {
+        Outcome::Compose(report) => *report,
+        other => panic!("{p:?} and {q:?} have no report: {other:?}"),
+    }
+}
+
+pub(crate) fn problems(outcome: Outcome) -> Vec<Problem> {
+    match outcome {
+        Outcome::Problems(found) => found.problems,
+        other => panic!("there is a report: {other:?}"),
+    }
+}
+
+pub(crate) fn facts(report: &ReadReport) -> Vec<Fact> {
+    report.notes.iter().map(|note| note.fact.clone()).collect()
+}

@@ -1,0 +1,191 @@
+//! One bad input per file of `problems/`, with the whole text of its problem.
+//!
+//! Above the line `---` stands the input, below it what [`Problem::render`] says. A first line may
+//! begin with `@`: `@field vector` puts the input into the vector field, `@repeat N` repeats it,
+//! `@nest N` puts it into N pairs of brackets. To write the lower parts anew, and then to review
+//! them as text: `QUATLAS_BLESS=1 cargo test --test problems`.
+
+mod common;
+
+use common::{problems, read_request, wasm_bindgen_test};
+use quatlas::{Convention, Field, Problem, analyze};
+
+macro_rules! cases {
+    ($($name:literal,)+) => {
+        &[$(($name, include_str!(concat!("problems/", $name, ".txt"))),)+]
+    };
+}
+
+/// Every file of the folder; a native test sees to it that none is left out.
+const CASES: &[(&str, &str)] = cases![
+    "a-long-line",
+    "arc-cosine-beyond-1",
+    "assignment-without-a-value",
+    "decimal-commas",
+    "division-by-a-difference-that-is-zero",
+    "division-by-a-unit",
+    "division-by-zero",
+    "double-colon",
+    "duplicate-component",
+    "emoji",
+    "emoji-before-the-error",
+    "emoji-in-a-comment-before-the-error",
+    "empty-text",
+    "five-numbers",
+    "infinity",
+    "letters",
+    "list-in-a-list",
+    "list-times-number",
+    "many-signs",
+    "missing-component",
+    "missing-number-at-the-end",
+    "missing-sign",
+    "nan",
+    "number-without-a-name",
+    "one-number",
+    "only-spaces",
+    "operator-without-a-number",
+    "product-of-units",
+    "python-nan",
+    "root-of-a-negative-number",
+    "stray-closing-bracket",
+    "tab-before-the-error",
+    "ten-thousand-brackets",
+    "ten-thousand-brackets-that-close",
+    "text-of-100-kb",
+    "three-numbers",
+    "too-large",
+    "too-large-product",
+    "too-small",
+    "two-arguments",
+    "two-missing-components",
+    "unclosed-bracket",
+    "unclosed-bracket-at-the-end",
+    "unit-in-a-function",
+    "unit-under-a-name",
+    "unknown-component",
+    "unknown-method",
+    "vector-of-four",
+    "vector-of-two",
+    "vector-that-is-empty",
+    "vector-with-a-missing-component",
+    "vector-with-a-named-scalar",
+    "vector-with-a-scalar",
+    "wide-characters-before-the-error",
+    "zero-by-names",
+    "zero-quaternion",
+];
+
+struct Case {
+    input: String,
+    field: Field,
+}
+
+impl Case {
+    fn parse(file: &str) -> (Self, &str) {
+        let (upper, expected) = file.split_once("---\n").expect("a line ---");
+        let (directive, text) = match upper.strip_prefix('@') {
+            Some(rest) => rest.split_once('\n').expect("a line after the directive"),
+            None => ("", upper),
+        };
+        let text = text.strip_suffix('\n').unwrap_or(text);
+        let count = |number: &str| number.parse().expect("a number");
+        let (input, field) = match directive.split_once(' ') {
+            None => (text.to_owned(), Field::Quaternion),
+            Some(("field", "vector")) => (text.to_owned(), Field::Vector),
+            Some(("repeat", number)) => (text.repeat(count(number)), Field::Quaternion),
+            Some(("nest", number)) => {
+                let (open, close) = ("[".repeat(count(number)), "]".repeat(count(number)));
+                (format!("{open}{text}{close}"), Field::Quaternion)
+            }
+            Some(other) => panic!("unknown directive {other:?}"),
+        };
+        (Self { input, field }, expected)
+    }
+
+    fn problem(&self) -> Problem {
+        let request = match self.field {
+            Field::Vector => read_request("1 0 0 0", &self.input, Convention::HAMILTON),
+            _ => read_request(&self.input, "1 0 0", Convention::HAMILTON),
+        };
+        let [problem] = problems(analyze(&request)).try_into().expect("one problem");
+        problem
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_bad_input_has_the_message_of_its_file() {
+    let mut differences = Vec::new();
+    for (name, file) in CASES {
+        let (case, expected) = Case::parse(file);
+        let problem = case.problem();
+        assert_eq!(problem.field, case.field, "{name}");
+        let rendered = problem.render(&case.input);
+        if rendered != expected {
+            bless(name, file, expected, &rendered);
+            differences.push(format!(
+                "{name}\n--- expected\n{expected}--- got\n{rendered}"
+            ));
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
+
+#[cfg(target_arch = "wasm32")]
+fn bless(_: &str, _: &str, _: &str, _: &str) {}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn bless(name: &str, file: &str, expected: &str, rendered: &str) {
+    if std::env::var_os("QUATLAS_BLESS").is_some() {
+        let upper = file
+            .strip_suffix(expected)
+            .expect("the file ends as expected");
+        let path = format!("{}/tests/problems/{name}.txt", env!("CARGO_MANIFEST_DIR"));
+        std::fs::write(path, format!("{upper}{rendered}")).expect("a writable folder");
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn no_file_of_the_folder_is_left_out() {
+    let folder = format!("{}/tests/problems", env!("CARGO_MANIFEST_DIR"));
+    let mut files: Vec<_> = std::fs::read_dir(folder)
+        .expect("the folder")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "txt"))
+        .map(|path| {
+            path.file_stem()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    files.sort();
+    let listed: Vec<_> = CASES.iter().map(|(name, _)| *name).collect();
+    assert_eq!(files, listed);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn both_texts_are_answered_at_once() {
+    let request = read_request("1 0 0", "oops", Convention::JPL);
+    let fields: Vec<_> = problems(analyze(&request))
+        .iter()
+        .map(|problem| problem.field)
+        .collect();
+    assert_eq!(fields, [Field::Quaternion, Field::Vector]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn spans_count_utf16_units_at_the_edge() {
+    // The emoji takes 4 bytes and 2 UTF-16 units, each of the letters 3 bytes and 1 unit.
+    let text = "1 0 0 # 🙂四元\noops";
+    let outcome = analyze(&read_request(text, "1 0 0", Convention::HAMILTON));
+    let [inside] = &problems(outcome.clone())[..] else {
+        panic!("{outcome:?}")
+    };
+    assert_eq!(&text[inside.span.start..inside.span.end], "oops");
+    let [at_the_edge] = &problems(outcome.in_utf16(|_| text.to_owned()))[..] else {
+        panic!("one problem")
+    };
+    assert_eq!((at_the_edge.span.start, at_the_edge.span.end), (13, 17));
+}

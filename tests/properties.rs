@@ -1,0 +1,220 @@
+//! What must hold for every input, tried on many: native only, with a fixed seed.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{all_conventions, read_request};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use quatlas::{ComposeRequest, Outcome, Request, Rotation, TaggedQuaternion, analyze};
+use serde_json::Value;
+
+const CASES: u32 = 2000;
+
+#[track_caller]
+fn for_all<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
+    let config = Config {
+        cases: CASES,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    if let Err(failure) = TestRunner::new_with_rng(config, rng).run(&strategy, test) {
+        panic!("{failure}");
+    }
+}
+
+/// Pieces of what people type, in any order: most of it is wrong, some of it is right.
+fn typed() -> impl Strategy<Value = String> {
+    let pieces = prop::sample::select(vec![
+        "0",
+        "1",
+        "0.5",
+        "-",
+        "+",
+        "*",
+        "/",
+        "(",
+        ")",
+        "[",
+        "]",
+        "{",
+        "}",
+        ",",
+        ";",
+        ":",
+        "=",
+        " ",
+        "\n",
+        "i",
+        "j",
+        "k",
+        "w",
+        "x",
+        "y",
+        "z",
+        "qw",
+        "sqrt",
+        "√",
+        "cos(",
+        "pi",
+        "1e308",
+        "1e-308",
+        "5e-324",
+        "nan",
+        "inf",
+        "°",
+        "deg",
+        "🙂",
+        "\"",
+        "'",
+        "#",
+        "//",
+        "---",
+        "- ",
+        "½",
+        "e",
+        ".",
+        "Eigen::Quaterniond(",
+        "from_quat(",
+        "scalar_first=True",
+        "np.array(",
+        "−",
+        "1.7e308",
+    ]);
+    prop::collection::vec(pieces, 0..14).prop_map(|pieces| pieces.concat())
+}
+
+/// Every number of the outcome is a number of JSON (so neither NaN nor infinite), and none is −0.
+fn is_plain(value: &Value) -> bool {
+    match value {
+        Value::Array(members) => members.iter().all(is_plain),
+        Value::Object(members) => members.values().all(is_plain),
+        Value::Number(number) => number
+            .as_f64()
+            .is_some_and(|number| number != 0.0 || number.is_sign_positive()),
+        Value::Null | Value::Bool(_) | Value::String(_) => true,
+    }
+}
+
+/// serde_json writes a number that is not finite as null, which no field but an absent one is.
+fn check(request: &Request, texts: &[&str]) -> Result<(), TestCaseError> {
+    let outcome = analyze(request);
+    if let Outcome::Problems(found) = &outcome {
+        for problem in &found.problems {
+            let inside = texts.iter().any(|text| {
+                problem.span.start <= problem.span.end
+                    && text.get(problem.span.start..problem.span.end).is_some()
+            });
+            prop_assert!(inside, "{problem:?}");
+        }
+    }
+    let json =
+        serde_json::to_value(&outcome).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    prop_assert!(is_plain(&json), "{json}");
+    let back: Outcome =
+        serde_json::from_value(json).map_err(|error| TestCaseError::fail(error.to_string()))?;
+    prop_assert_eq!(back, outcome);
+    Ok(())
+}
+
+#[test]
+fn whatever_is_typed_gives_plain_numbers_or_a_problem_with_a_place() {
+    for_all((typed(), typed()), |(quaternion, vector)| {
+        for convention in [quatlas::Convention::HAMILTON, quatlas::Convention::JPL] {
+            check(
+                &read_request(&quaternion, &vector, convention),
+                &[&quaternion, &vector],
+            )?;
+        }
+        Ok(())
+    });
+}
+
+#[test]
+fn any_unicode_text_is_answered() {
+    for_all(any::<String>(), |text| {
+        check(
+            &read_request(&text, &text, quatlas::Convention::HAMILTON),
+            &[&text],
+        )
+    });
+}
+
+/// Any double that is finite, of all sizes.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        prop::num::f64::NORMAL | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO,
+        -1.0..1.0_f64,
+        prop::sample::select(vec![
+            0.0,
+            1.0,
+            -1.0,
+            0.5,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            5e-324
+        ]),
+    ]
+}
+
+#[test]
+fn any_four_finite_numbers_are_answered_in_plain_numbers() {
+    for_all(
+        (
+            prop::array::uniform8(number()),
+            prop::array::uniform3(number()),
+        ),
+        |(numbers, vector)| {
+            let text = |numbers: &[f64]| {
+                numbers
+                    .iter()
+                    .map(|number| format!("{number:e}"))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            };
+            let (p, q, vector) = (text(&numbers[..4]), text(&numbers[4..]), text(&vector));
+            let convention = quatlas::Convention::JPL;
+            check(&read_request(&p, &vector, convention), &[&p, &vector])?;
+            let request = Request::Compose(ComposeRequest {
+                p: p.clone(),
+                q: q.clone(),
+                vector: vector.clone(),
+                convention,
+            });
+            check(&request, &[&p, &q, &vector])
+        },
+    );
+}
+
+#[test]
+fn an_attitude_survives_every_convention() {
+    for_all(prop::array::uniform4(-1.0..1.0_f64), |[w, x, y, z]| {
+        prop_assume!(w * w + x * x + y * y + z * z > 1e-4);
+        let canonical = TaggedQuaternion::new(w, x, y, z, quatlas::Convention::HAMILTON);
+        let attitude = Rotation::from_tagged(&canonical)
+            .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        for convention in all_conventions() {
+            let tagged = attitude.to_tagged(convention);
+            let back = Rotation::from_tagged(&tagged)
+                .map_err(|error| TestCaseError::fail(error.to_string()))?;
+            prop_assert_eq!(back, attitude, "{}", convention);
+            // −q is the same rotation.
+            let opposite = TaggedQuaternion {
+                components: -tagged.components,
+                convention,
+            };
+            let opposite = Rotation::from_tagged(&opposite)
+                .map_err(|error| TestCaseError::fail(error.to_string()))?;
+            prop_assert_eq!(
+                opposite.body_to_world_matrix(),
+                attitude.body_to_world_matrix()
+            );
+            prop_assert_eq!(
+                opposite.rotation_vector_rad(),
+                attitude.rotation_vector_rad()
+            );
+        }
+        Ok(())
+    });
+}

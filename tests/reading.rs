@@ -1,0 +1,347 @@
+//! Every form of text that people paste, and what is said about it.
+
+mod common;
+
+use common::{assert_close, facts, read, wasm_bindgen_test, wxyz};
+use quatlas::{
+    ComponentOrder, Convention, Fact, Field, OrderSource, OutOfRangeNumber, parse_quaternion,
+    parse_vector,
+};
+
+/// √½, cos(π/8) and sin(π/8), as the nearest doubles.
+const HALF_ROOT: f64 = std::f64::consts::FRAC_1_SQRT_2;
+const COS: f64 = 0.923_879_532_511_286_7;
+const SIN: f64 = 0.382_683_432_365_089_8;
+
+/// One rounding of a number below 1 in the arithmetic of the text, and one in the reference.
+const ARITHMETIC: f64 = 2.3e-16;
+
+/// Texts of one quaternion, w = 0.92, x = 0.1, y = -0.2, z = 0.38, that tell their own order.
+const TOLD: &[(&str, OrderSource)] = &[
+    ("(w=0.92, x=0.1, y=-0.2, z=0.38)", OrderSource::Named),
+    ("z: 0.38, y: -0.2, x: 0.1, w: 0.92", OrderSource::Named),
+    ("x: 0.1\ny: -0.2\nz: 0.38\nw: 0.92", OrderSource::Named),
+    (
+        "orientation:\n  x: 0.1\n  y: -0.2\n  z: 0.38\n  w: 0.92\n---",
+        OrderSource::Named,
+    ),
+    (
+        "geometry_msgs.msg.Quaternion(x=0.1, y=-0.2, z=0.38, w=0.92)",
+        OrderSource::Named,
+    ),
+    (
+        r#"{"w": 0.92, "x": 0.1, "y": -0.2, "z": 0.38}"#,
+        OrderSource::Named,
+    ),
+    (
+        r#"{"orientation": {"x": 0.1, "y": -0.2, "z": 0.38, "w": 0.92}}"#,
+        OrderSource::Named,
+    ),
+    (
+        "{'qw': 0.92, 'qx': 0.1, 'qy': -0.2, 'qz': 0.38}",
+        OrderSource::Named,
+    ),
+    (
+        "q.w = 0.92; q.x = 0.1; q.y = -0.2; q.z = 0.38;",
+        OrderSource::Named,
+    ),
+    ("0.92 + 0.1i - 0.2j + 0.38k", OrderSource::Named),
+    ("0.38 k + 0.92 - 0.2 j + 0.1 i", OrderSource::Named),
+    ("0.92 +0.1i -0.2j +0.38k", OrderSource::Named),
+    ("0.92 + i/10 − j/5 + k*0.38", OrderSource::Named),
+    ("0.92 + i·0.1 - 0.2·j + 0.38×k", OrderSource::Named),
+    ("q = 0.92 + 0.1i - 0.2j + 0.38k", OrderSource::Named),
+    ("0.92 [0.1, -0.2, 0.38]", OrderSource::Grouped),
+    ("[0.92, (0.1, -0.2, 0.38)]", OrderSource::Grouped),
+    ("[[0.1 -0.2 0.38], 0.92]", OrderSource::Grouped),
+    (
+        "Eigen::Quaterniond(0.92, 0.1, -0.2, 0.38)",
+        OrderSource::Constructor,
+    ),
+    (
+        "const Eigen::Quaterniond q(0.92, 0.1, -0.2, 0.38);",
+        OrderSource::Constructor,
+    ),
+    (
+        "Eigen::Quaternion<double> q{0.92, 0.1, -0.2, 0.38};",
+        OrderSource::Constructor,
+    ),
+    (
+        "auto q = Eigen::Quaternionf(0.92f, 0.1f, -0.2f, 0.38f);",
+        OrderSource::Constructor,
+    ),
+    (
+        "Sophus::SO3d(Eigen::Quaterniond(0.92, 0.1, -0.2, 0.38))",
+        OrderSource::Constructor,
+    ),
+    (
+        "Rotation.from_quat([0.1, -0.2, 0.38, 0.92])",
+        OrderSource::Constructor,
+    ),
+    (
+        "r = R.from_quat(np.array([0.1, -0.2, 0.38, 0.92]))",
+        OrderSource::Constructor,
+    ),
+    (
+        "R.from_quat([0.92, 0.1, -0.2, 0.38], scalar_first=True)",
+        OrderSource::Constructor,
+    ),
+    (
+        "new THREE.Quaternion(0.1, -0.2, 0.38, 0.92)",
+        OrderSource::Constructor,
+    ),
+    (
+        "tf2::Quaternion q(0.1, -0.2, 0.38, 0.92);",
+        OrderSource::Constructor,
+    ),
+    (
+        "let q = DQuat::from_xyzw(0.1, -0.2, 0.38, 0.92);",
+        OrderSource::Constructor,
+    ),
+    (
+        "UnitQuaternion::new_normalize(Quaternion::new(0.92, 0.1, -0.2, 0.38))",
+        OrderSource::Constructor,
+    ),
+    (
+        "mathutils.Quaternion((0.92, 0.1, -0.2, 0.38))",
+        OrderSource::Constructor,
+    ),
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_text_that_tells_its_order_is_read_alike_under_both_declarations() {
+    for (text, source) in TOLD {
+        for declared in ComponentOrder::ALL {
+            let parsed = parse_quaternion(text, Field::Quaternion, declared)
+                .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
+            assert_close(
+                text,
+                &wxyz(&parsed.quaternion),
+                &[0.92, 0.1, -0.2, 0.38],
+                ARITHMETIC,
+            );
+            assert_eq!(parsed.order_source, *source, "{text}");
+        }
+    }
+}
+
+/// Texts of four bare numbers a, b, c, d = 0.92, 0.1, -0.2, 0.38, in that order.
+const BARE: &[&str] = &[
+    "0.92 0.1 -0.2 0.38",
+    "  0.92\t0.1\n-0.2  0.38 ",
+    "0.92, 0.1, -0.2, 0.38",
+    "0.92;0.1;-0.2;0.38;",
+    "[0.92, 0.1, -0.2, 0.38]",
+    "[0.92 0.1 -0.2 0.38]",
+    "{0.92, 0.1, -0.2, 0.38}",
+    "((0.92), 0.1, -0.2, 0.38)",
+    "[[0.92], [0.1], [-0.2], [0.38]]",
+    "q = [0.92, 0.1, -0.2, 0.38]",
+    "array([ 0.92,  0.1 , -0.2 ,  0.38])",
+    "[np.float64(0.92), np.float64(0.1), np.float64(-0.2), np.float64(0.38)]",
+    "- 0.92\n- 0.1\n- -0.2\n- 0.38\n",
+    "92e-2 +.1 −0.2 38.e-2",
+    "0.92_f64, 0.1f32, -0.2f, 0.38F",
+    "0.92 0.1 -0.2 0.38 # w x y z",
+    "46/50 1/10 -1/5 19/50",
+    "1 - 0.08, 0.1, 0.3 - 0.5, 0.38",
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn bare_numbers_are_read_in_the_declared_order() {
+    let read_as = |text: &str, declared| {
+        let parsed = parse_quaternion(text, Field::Quaternion, declared)
+            .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
+        assert_eq!(parsed.order_source, OrderSource::Declared, "{text}");
+        assert_eq!(parsed.order, declared, "{text}");
+        wxyz(&parsed.quaternion)
+    };
+    for text in BARE {
+        let first = read_as(text, ComponentOrder::ScalarFirst);
+        assert_close(text, &first, &[0.92, 0.1, -0.2, 0.38], ARITHMETIC);
+        let last = read_as(text, ComponentOrder::ScalarLast);
+        assert_close(text, &last, &[0.38, 0.92, 0.1, -0.2], ARITHMETIC);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn arithmetic_is_computed() {
+    let cases: &[(&str, [f64; 4])] = &[
+        ("cos(pi/8) + sin(pi/8) k", [COS, 0.0, 0.0, SIN]),
+        ("sin(pi/8)k+cos(pi/8)", [COS, 0.0, 0.0, SIN]),
+        ("cos(22.5°) + sin(22.5 deg) k", [COS, 0.0, 0.0, SIN]),
+        (
+            "Math.cos(Math.PI/8), 0, 0, Math.sin(Math.PI/8)",
+            [COS, 0.0, 0.0, SIN],
+        ),
+        ("1/sqrt(2) - i/2 - j/2", [HALF_ROOT, -0.5, -0.5, 0.0]),
+        ("1/√2 − ½i − √2√2/4 j", [HALF_ROOT, -0.5, -0.5, 0.0]),
+        ("√½ 0 0 −√½", [HALF_ROOT, 0.0, 0.0, -HALF_ROOT]),
+        ("√(1/2) 0 -(1/2) 1 - 2/4", [HALF_ROOT, 0.0, -0.5, 0.5]),
+        (
+            "sqrt(1 -0.5) --0 2*-.25 +(1-0.5)",
+            [HALF_ROOT, 0.0, -0.5, 0.5],
+        ),
+        (
+            "cos(2pi/8) 0 -cos(tau/6) abs(-1/2)",
+            [HALF_ROOT, 0.0, -0.5, 0.5],
+        ),
+        ("(1 + k)/√2", [HALF_ROOT, 0.0, 0.0, HALF_ROOT]),
+        ("1/2k + 1", [1.0, 0.0, 0.0, 0.5]),
+        (
+            "tan(atan(1/2)) asin(sin(0.5)) acos(cos(0.5)) √√(1/16)",
+            [0.5; 4],
+        ),
+    ];
+    for (text, expected) in cases {
+        let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst)
+            .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
+        assert_close(text, &wxyz(&parsed.quaternion), expected, ARITHMETIC);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn vectors_come_in_the_same_forms() {
+    let texts = [
+        "1 -2 0.5",
+        "[1, -2, 1/2]",
+        "x: 1\ny: -2\nz: 0.5",
+        r#"{"x": 1, "z": 0.5, "y": -2}"#,
+        "i - 2j + k/2",
+        "Eigen::Vector3d v(1, -2, 0.5);",
+        "np.array([1, -2, 0.5])",
+    ];
+    for text in texts {
+        let vector = parse_vector(text, Field::Vector)
+            .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
+        assert_eq!(vector.as_slice(), [1.0, -2.0, 0.5], "{text}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_opening_example_is_that_of_the_lecture() {
+    let report = read(
+        "cos(pi/8) + sin(pi/8) k",
+        "1/√2, 1/√2, 0",
+        Convention::HAMILTON,
+    );
+    let half = HALF_ROOT;
+    assert_eq!(report.hamilton.quaternion.array, [COS, 0.0, 0.0, SIN]);
+    assert_eq!(report.jpl.quaternion.array, [0.0, 0.0, SIN, COS]);
+    let rows = [[half, -half, 0.0], [half, half, 0.0], [0.0, 0.0, 1.0]];
+    assert_close(
+        "R(q)",
+        report.hamilton.matrix.as_flattened(),
+        rows.as_flattened(),
+        ARITHMETIC,
+    );
+    assert_eq!(report.jpl.inverse_matrix, report.hamilton.matrix);
+    assert_eq!(report.jpl.matrix, report.hamilton.inverse_matrix);
+    assert_close(
+        "R(q) x",
+        &report.hamilton.image.expect("finite"),
+        &[0.0, 1.0, 0.0],
+        ARITHMETIC,
+    );
+    assert_close(
+        "C(q) x",
+        &report.jpl.image.expect("finite"),
+        &[1.0, 0.0, 0.0],
+        ARITHMETIC,
+    );
+    assert_eq!(report.jpl_with_same_matrix.array, [0.0, 0.0, -SIN, COS]);
+    assert_eq!(report.turn.axis, Some([0.0, 0.0, 1.0]));
+    assert_close("45°", &[report.turn.angle_deg], &[45.0], ARITHMETIC);
+    assert_eq!(facts(&report), []);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_same_text_declared_as_jpl_has_the_other_order_and_the_same_meaning_of_names() {
+    let bare = read("0.6 0 0 0.8", "1 0 0", Convention::JPL);
+    assert_eq!(bare.jpl.quaternion.array, [0.6, 0.0, 0.0, 0.8]);
+    assert_eq!(bare.hamilton.quaternion.array, [0.8, 0.6, 0.0, 0.0]);
+    let named = read("w=1/√2, x=0, y=0, z=1/√2", "1 0 0", Convention::JPL);
+    assert_eq!(named.jpl.image, Some([0.0, -1.0, 0.0]));
+    assert_eq!(named.hamilton.image, Some([0.0, 1.0, 0.0]));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn notes_say_what_was_done_and_what_cannot_be_told() {
+    let hamilton = |text| facts(&read(text, "1 0 0", Convention::HAMILTON));
+
+    // Norm 1 but for the rounding of the text: nothing is said.
+    assert_eq!(hamilton("w=0.6, x=0.8, y=0, z=0"), []);
+    let [Fact::Normalised(normalised)] = &hamilton("w=1, x=2, y=2, z=4")[..] else {
+        panic!("one fact")
+    };
+    assert_eq!(
+        (normalised.norm, normalised.deviation),
+        (Some(5.0), Some(4.0))
+    );
+
+    let [Fact::OrderAssumed(assumed)] = &hamilton("0.6 0.8 0 0")[..] else {
+        panic!("one fact")
+    };
+    assert_eq!(assumed.order, ComponentOrder::ScalarFirst);
+    // q = 0.6 + 0.8i against 0.6 as x and 0.8 as y: the scalar of the quotient is 0.48.
+    assert_close(
+        "differs by",
+        &[assumed.other_order_differs_by_deg],
+        &[122.629_195_971_762_16],
+        1e-14,
+    );
+
+    assert_eq!(hamilton("0.5 0.5 0.5 0.5"), [Fact::OrderInvisible]);
+    assert_eq!(hamilton("0.5 -0.5 0.5 -0.5"), [Fact::OrderInvisible]);
+    let [Fact::OrderFromText(from_text)] = &hamilton("R.from_quat([0, 0, 0.6, 0.8])")[..] else {
+        panic!("one fact")
+    };
+    assert_eq!(from_text.source, OrderSource::Constructor);
+    assert_eq!(from_text.order, ComponentOrder::ScalarLast);
+    let [Fact::UnknownConstructor(unknown)] = &hamilton("Quaternion(0.6, 0, 0, 0.8)")[..] else {
+        panic!("one fact")
+    };
+    assert_eq!(unknown.name, "Quaternion");
+
+    assert_eq!(hamilton("-0.6 + 0.8k"), [Fact::NegativeScalar]);
+    assert_eq!(hamilton("0.6i + 0.8k"), [Fact::HalfTurn]);
+    assert_eq!(hamilton("cos(pi/2) + sin(pi/2)k"), [Fact::HalfTurn]);
+    assert_eq!(hamilton("1 + 0k"), [Fact::NoTurn]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_a_double_cannot_hold_is_left_out_and_said() {
+    let left_out = |text, vector| {
+        facts(&read(text, vector, Convention::HAMILTON))
+            .into_iter()
+            .filter_map(|fact| match fact {
+                Fact::OutOfRange(out_of_range) => Some(out_of_range.what),
+                _ => None,
+            })
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        left_out("1e-310 + 0i", "1 0 0"),
+        [OutOfRangeNumber::Inverse]
+    );
+    assert_eq!(left_out("1e300 + 1e300i", "1 0 0"), []);
+    let report = read(
+        "w=1.7e308, x=1.7e308, y=0, z=0",
+        "0 1 0",
+        Convention::HAMILTON,
+    );
+    assert_eq!(report.quaternion.norm, None);
+    assert_eq!(report.hamilton.image, Some([0.0, 0.0, 1.0]));
+    // Turned by 45°, two components of 1.7e308 become one of 2.4e308.
+    assert_eq!(
+        left_out("cos(pi/8) + sin(pi/8)k", "1.7e308 1.7e308 0"),
+        [OutOfRangeNumber::Image]
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn no_minus_zero_reaches_the_report() {
+    let report = read("-1 + 0i - 0j", "-0 0 -0", Convention::JPL);
+    let json = serde_json::to_string(&report).expect("JSON");
+    assert!(!json.contains("-0.0"), "{json}");
+}

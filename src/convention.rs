@@ -93,7 +93,8 @@ names!(Handedness {
 /// What stays and what is turned when the quaternion acts on a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
+// JavaScript has a global `Function` of its own.
+#[serde(rename = "RotationFunction", rename_all = "kebab-case")]
 #[doc(alias("alias", "alibi"))]
 pub enum Function {
     /// The vector stays and its coordinates change from the axes of the first

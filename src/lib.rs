@@ -68,9 +68,9 @@ mod compose;
 
 /// A request in, an outcome out.
 pub mod analyze;
-// The only file that knows JavaScript.
+/// The only file that knows JavaScript.
 #[cfg(target_arch = "wasm32")]
-mod wasm;
+pub mod wasm;
 
 pub use analyze::analyze;
 pub use convention::{
@@ -83,3 +83,8 @@ pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_p
 pub use report::*;
 pub use request::{ComposeRequest, ReadRequest, Request};
 pub use rotation::{NoRotation, Rotation};
+
+/// The examples of the README, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

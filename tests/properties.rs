@@ -97,7 +97,7 @@ fn is_plain(value: &Value) -> bool {
     }
 }
 
-/// serde_json writes a number that is not finite as null, which no field but an absent one is.
+/// `serde_json` writes a number that is not finite as null, which no field but an absent one is.
 fn check(request: &Request, texts: &[&str]) -> Result<(), TestCaseError> {
     let outcome = analyze(request);
     if let Outcome::Problems(found) = &outcome {

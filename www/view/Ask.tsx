@@ -22,8 +22,8 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
     <div class={`field field-${size}`}>
       <div class="field-box">
         <label for={id} class="field-label">
+          <span class="visually-hidden">{label}</span>
           <var>{symbol}</var>
-          <span class="visually-hidden">, {label}</span>
         </label>
         <div class="field-text">
           <pre class="field-mirror" aria-hidden="true">

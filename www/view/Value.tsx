@@ -93,10 +93,8 @@ export function Matrix({
         <table aria-label={name}>
           <tbody>
             {alignedRows(rows, digits).map((row, at) => (
-              // biome-ignore lint/suspicious/noArrayIndexKey: the rows of a matrix have no other name
               <tr key={at}>
                 {row.map((cell, column) => (
-                  // biome-ignore lint/suspicious/noArrayIndexKey: nor do its columns
                   <td key={column}>{cell}</td>
                 ))}
               </tr>

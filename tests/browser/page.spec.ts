@@ -1,0 +1,251 @@
+// The page in a real browser, by keyboard; a console error or a foreign request fails any test.
+import AxeBuilder from "@axe-core/playwright";
+import { test as base, expect, type Locator, type Page } from "@playwright/test";
+
+const test = base.extend<{ page: Page }>({
+  page: async ({ page, baseURL }, use) => {
+    const errors: string[] = [];
+    const foreign: string[] = [];
+    page.on("console", (message) => {
+      if (message.type() === "error") errors.push(message.text());
+    });
+    page.on("pageerror", (error) => errors.push(error.message));
+    page.on("request", (request) => {
+      const url = request.url();
+      const isOwn = url.startsWith(baseURL ?? "") || /^(data|blob):/.test(url);
+      if (!isOwn) foreign.push(url);
+    });
+    await use(page);
+    expect(errors, "console errors").toEqual([]);
+    expect(foreign, "requests that leave the origin").toEqual([]);
+  },
+});
+
+const minus = "−";
+
+/** The cells of a matrix as numbers, row by row. */
+async function numbersOf(table: Locator): Promise<number[]> {
+  const cells = await table.locator("td").allTextContents();
+  return cells.map((cell) => Number(cell.trim().replace(minus, "-")));
+}
+
+function matrix(page: Page, name: string) {
+  return page.getByRole("table", { name, exact: true });
+}
+
+const quaternionField = (page: Page) => page.getByRole("textbox", { name: "quaternion q" });
+
+/** Tabs from the start of the page until the element has the focus. */
+async function tabTo(page: Page, element: Locator) {
+  for (let presses = 0; presses < 40; presses += 1) {
+    if (await element.evaluate((node) => node === document.activeElement)) return;
+    await page.keyboard.press("Tab");
+  }
+  throw new Error("the element cannot be reached with the Tab key");
+}
+
+async function typeOver(page: Page, text: string) {
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.type(text);
+}
+
+test("opens on 45° about z with every output filled", async ({ page }) => {
+  await page.goto("/");
+  await expect(page.getByRole("heading", { name: "Hamilton" })).toBeVisible();
+  expect(await numbersOf(matrix(page, "R(q)"))).toEqual([
+    0.707107, -0.707107, 0, 0.707107, 0.707107, 0, 0, 0, 1,
+  ]);
+  expect(await numbersOf(matrix(page, "C(q)"))).toEqual([
+    0.707107, 0.707107, 0, -0.707107, 0.707107, 0, 0, 0, 1,
+  ]);
+  expect(await numbersOf(matrix(page, "inverse of R(q)"))).toEqual(
+    await numbersOf(matrix(page, "C(q)")),
+  );
+  // The lecture's point (1, 1, 0)/√2 lies on the x axis of the turned frame.
+  await expect(page.getByText("[1.000000, 0.000000, 0]")).toBeVisible();
+  await expect(page.getByText("z, 45.000000°")).toBeVisible();
+});
+
+test("a Hamilton quaternion typed by keyboard", async ({ page }) => {
+  await page.goto("/");
+  await tabTo(page, quaternionField(page));
+  await typeOver(page, "1/2 + i/2 + j/2 + k/2");
+  // 120° about (1, 1, 1): x to y, y to z, z to x.
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
+  expect(await numbersOf(matrix(page, "C(q)"))).toEqual([0, 1, 0, 0, 0, 1, 1, 0, 0]);
+  await expect(page.getByRole("status")).toHaveText(/a turn by 120.*° about/);
+});
+
+test("a JPL quaternion typed and declared by keyboard", async ({ page }) => {
+  await page.goto("/");
+  await tabTo(page, quaternionField(page));
+  await typeOver(page, "1/√2 0 0 1/√2");
+  await tabTo(page, page.getByRole("radio", { name: /^Hamilton/ }));
+  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("radio", { name: /^JPL/ })).toBeChecked();
+  // x y z w: a quarter turn about x, world to body.
+  await expect.poll(() => numbersOf(matrix(page, "C(q)"))).toEqual([1, 0, 0, 0, 0, 1, 0, -1, 0]);
+  expect(await numbersOf(matrix(page, "R(q)"))).toEqual([1, 0, 0, 0, 0, -1, 0, 1, 0]);
+  await expect(page.getByText("read as x y z w")).toBeVisible();
+});
+
+test("an error keeps the last good result, says where it is, and is recovered from", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await tabTo(page, quaternionField(page));
+  await typeOver(page, "0.5 0.5 ½ ½");
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
+  await page.keyboard.type(" oops");
+  const field = quaternionField(page);
+  await expect(field).toHaveAttribute("aria-invalid", "true");
+  await expect(field).toHaveAccessibleDescription(/Oops is not a number, a unit or a function/);
+  await expect(page.locator("mark")).toHaveText("oops");
+  await expect(page.getByText("Below is the last result")).toBeVisible();
+  expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
+  await expect(page.getByRole("status")).toHaveText(/^Problem: oops is not a number/);
+
+  for (const _ of " oops") await page.keyboard.press("Backspace");
+  await expect(field).toHaveAttribute("aria-invalid", "false");
+  await expect(page.getByText("Below is the last result")).toBeHidden();
+});
+
+test("the place of a problem stands right after an emoji", async ({ page }) => {
+  await page.goto("/");
+  await quaternionField(page).fill('{"🙂": [0, 0, oops, 1]}');
+  await expect(page.locator("mark")).toHaveText("oops");
+});
+
+test("reloading the address gives the same page", async ({ page }) => {
+  await page.goto("/");
+  await quaternionField(page).fill("x: 0.1\ny: -0.2\nz: 0.38\nw: 0.92");
+  await page.getByRole("textbox", { name: "vector x" }).fill("1, -2, ½");
+  await page.getByRole("radio", { name: /^JPL/ }).check();
+  await page.getByRole("radio", { name: "all" }).focus();
+  await page.keyboard.press("Space");
+  await expect(page).toHaveURL(/as=jpl.*digits=all/);
+  const before = await page.locator("main").innerHTML();
+  await page.reload();
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  expect(await page.locator("main").innerHTML()).toEqual(before);
+  await expect(quaternionField(page)).toHaveValue("x: 0.1\ny: -0.2\nz: 0.38\nw: 0.92");
+});
+
+test("an address with a problem opens on the example, marked as such", async ({ page }) => {
+  await page.goto("/#read?quaternion=1+2+3");
+  await expect(page.getByText("3 numbers in place of 4.", { exact: true })).toBeVisible();
+  await expect(page.getByText("Below is the last result")).toBeVisible();
+  await expect(matrix(page, "R(q)")).toBeVisible();
+});
+
+test("composes by keyboard: four products, equal ones tied", async ({ page }) => {
+  await page.goto("/");
+  await tabTo(page, page.getByRole("link", { name: "Compose" }));
+  await page.keyboard.press("Enter");
+  await tabTo(page, page.getByRole("textbox", { name: "quaternion p" }));
+  await typeOver(page, "√½ + √½ k");
+  await page.keyboard.press("Tab");
+  await typeOver(page, "√½ + √½ i");
+  await expect(page.getByRole("heading", { name: "p ⊙ q: first q, then p" })).toBeVisible();
+  // R(z) R(x) by hand, and its transpose.
+  await expect.poll(() => numbersOf(matrix(page, "R(p ⊙ q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
+  expect(await numbersOf(matrix(page, "C(q ⊗ p)"))).toEqual([0, 1, 0, 0, 0, 1, 1, 0, 0]);
+  expect(await numbersOf(matrix(page, "R(q ⊙ p)"))).toEqual([0, -1, 0, 0, 0, -1, 1, 0, 0]);
+  await expect(page.getByRole("region", { name: "p ⊙ q equals q ⊗ p" })).toBeVisible();
+  await expect(page).toHaveURL(/#compose\?/);
+});
+
+test("going back returns to the view before", async ({ page }) => {
+  await page.goto("/");
+  await page.getByRole("link", { name: "Compose" }).click();
+  await expect(page.getByRole("textbox", { name: "quaternion p" })).toBeVisible();
+  await page.goBack();
+  await expect(quaternionField(page)).toBeVisible();
+});
+
+test("a copy has every digit, whatever is shown", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.goto("/#read?digits=4");
+  await page.getByRole("button", { name: "Copy C(q) x" }).click();
+  await expect(page.getByRole("button", { name: "C(q) x copied" })).toBeVisible();
+  await page.getByRole("button", { name: "Copy rotation vector" }).click();
+  await expect
+    .poll(() => page.evaluate(() => navigator.clipboard.readText()))
+    .toMatch(/^\[0, 0, 0\.785398163397448\d?\]$/);
+});
+
+test("a panic of the core is said in words and the page goes on", async ({ page }) => {
+  // A core whose analyze traps once, as a panic does.
+  await page.addInitScript(() => {
+    const compile = WebAssembly.instantiateStreaming;
+    WebAssembly.instantiateStreaming = async (source, imports) => {
+      const { module, instance } = await compile(source, imports);
+      const analyze = instance.exports["analyze"] as (...numbers: unknown[]) => unknown;
+      const exports = {
+        ...instance.exports,
+        analyze: (...numbers: unknown[]) => {
+          const field = document.querySelector("textarea");
+          if (field?.value.includes("panic")) throw new WebAssembly.RuntimeError("unreachable");
+          return analyze(...numbers);
+        },
+      };
+      return { module, instance: { exports } as unknown as WebAssembly.Instance };
+    };
+  });
+  await page.goto("/");
+  await quaternionField(page).fill("0 panic");
+  await expect(page.getByRole("alert")).toHaveText(/mistake in quatlas.*unreachable/);
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  await quaternionField(page).fill("0.6 + 0.8i");
+  await expect(page.getByRole("alert")).toBeHidden();
+  await expect(page.getByText("x, 106.260205°")).toBeVisible();
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const address of [
+    "/",
+    "/#compose",
+    "/#read?quaternion=1+0+0",
+    "/#read?quaternion=2+0+0+1",
+  ]) {
+    test(`no accessibility violation: ${colorScheme}, ${address}`, async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      await page.goto(address);
+      await expect(page.getByRole("table").first()).toBeVisible();
+      for (const summary of await page.locator("summary").all()) await summary.click();
+      const { violations } = await new AxeBuilder({ page }).analyze();
+      expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
+    });
+  }
+}
+
+for (const width of [360, 768, 1280]) {
+  for (const address of ["/", "/#compose", "/#read?digits=all", "/#compose?digits=all"]) {
+    test(`no sideways scroll at ${width} px: ${address}`, async ({ page }) => {
+      await page.setViewportSize({ width, height: 800 });
+      await page.goto(address);
+      await expect(page.getByRole("table").first()).toBeVisible();
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      expect(overflow).toBeLessThanOrEqual(0);
+    });
+  }
+}
+
+test("the page serves the optimised wasm of the build, and explains itself without script", async ({
+  page,
+  browser,
+}) => {
+  const [response] = await Promise.all([
+    page.waitForResponse((answer) => answer.url().endsWith(".wasm")),
+    page.goto("/"),
+  ]);
+  const { readFileSync } = await import("node:fs");
+  const built = readFileSync(new URL("../../pkg/quatlas_bg.wasm", import.meta.url));
+  expect(Buffer.compare(await response.body(), built)).toBe(0);
+
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const plain = await context.newPage();
+  await plain.goto(page.url());
+  await expect(plain.getByText("The same four numbers are two different products")).toBeVisible();
+  await context.close();
+});

@@ -1,0 +1,183 @@
+// The built package as a user has it: packed, unpacked into a project, imported and required.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const project = mkdtempSync(join(tmpdir(), "quatlas-"));
+const installed = join(project, "node_modules", "quatlas");
+let quatlas;
+let required;
+
+before(async () => {
+  // --ignore-scripts: it has just been built, and a package must install without scripts.
+  const [{ filename, files }] = JSON.parse(
+    execFileSync("npm", ["pack", "--json", "--ignore-scripts", "--pack-destination", project], {
+      cwd: root,
+      encoding: "utf8",
+      shell: process.platform === "win32",
+    }),
+  );
+  assert.ok(files.length > 0);
+  mkdirSync(installed, { recursive: true });
+  execFileSync("tar", ["-xzf", join(project, filename), "-C", installed, "--strip-components=1"]);
+  const require = createRequire(join(project, "index.cjs"));
+  required = require("quatlas");
+  // An import from inside the project, so that Node resolves the package by its name.
+  cpSync(join(root, "tests", "node", "reexport.mjs"), join(project, "reexport.mjs"));
+  quatlas = await import(pathToFileURL(join(project, "reexport.mjs")).href);
+});
+
+after(() => rmSync(project, { recursive: true, force: true }));
+
+test("import and require give the same instance", () => {
+  assert.deepEqual(Object.keys(quatlas).sort(), ["HAMILTON", "JPL", "analyze"]);
+  assert.equal(quatlas.analyze, required.analyze);
+  assert.equal(quatlas.JPL, required.JPL);
+});
+
+test("the package has types, no install scripts and no dependencies", () => {
+  const manifest = JSON.parse(readFileSync(join(installed, "package.json"), "utf8"));
+  assert.equal(manifest.dependencies, undefined);
+  for (const script of ["preinstall", "install", "postinstall", "prepare"]) {
+    assert.equal(manifest.scripts[script], undefined, script);
+  }
+  for (const types of [
+    manifest.exports["."].import.types,
+    manifest.exports["."].require.types,
+    manifest.types,
+  ]) {
+    const text = readFileSync(join(installed, types), "utf8");
+    assert.match(text, /export declare function analyze\(request: Request\): Outcome;/);
+    assert.match(text, /export interface ReadReport/);
+    assert.doesNotMatch(text, /pkg\/quatlas/);
+  }
+});
+
+test("the wasm inside is the optimised file", () => {
+  const optimised = readFileSync(join(root, "pkg", "quatlas_bg.wasm"));
+  const inside = readFileSync(join(installed, "dist/npm/index.cjs"), "utf8");
+  assert.ok(inside.includes(optimised.toString("base64")));
+  const built = join(root, "target/wasm32-unknown-unknown/release/quatlas.wasm");
+  assert.ok(optimised.length < readFileSync(built).length / 2, "smaller than what rustc wrote");
+});
+
+test("a quarter turn about z, from the numbers of a JPL filter", () => {
+  const outcome = quatlas.analyze({
+    view: "read",
+    quaternion: "0 0 1/√2 1/√2",
+    vector: "1 0 0",
+    convention: quatlas.JPL,
+  });
+  assert.equal(outcome.status, "read");
+  // The world's x axis lies along the body's −y; the body's x axis along the world's y.
+  assert.deepEqual(outcome.jpl.image, [0, -1, 0]);
+  assert.deepEqual(outcome.hamilton.image, [0, 1, 0]);
+});
+
+test("the example of the README runs as it is printed", async () => {
+  const readme = readFileSync(join(root, "README.md"), "utf8");
+  const [, example] = readme.match(/```js\n(.*?)```/s);
+  const file = join(project, "example.mjs");
+  writeFileSync(file, example);
+  execFileSync(process.execPath, [file], { cwd: project });
+});
+
+test("the golden cases of one attitude in every handedness, function and direction", () => {
+  const { cases } = JSON.parse(readFileSync(join(root, "tests/vectors/golden.json"), "utf8"));
+  const chosen = cases.filter(({ kind }) => kind === "convention");
+  assert.equal(chosen.length, 8);
+  for (const { id, convention, output, input, tol } of chosen) {
+    const outcome = quatlas.analyze({
+      view: "read",
+      quaternion: output.q_WB_wxyz.join(", "),
+      vector: input.x.join(" "),
+      convention: {
+        order: "scalar-first",
+        handedness: convention.handedness.toLowerCase(),
+        function: convention.function.toLowerCase(),
+        direction: convention.direction === "B2W" ? "body-to-world" : "world-to-body",
+        perturbation: "local",
+      },
+    });
+    assert.equal(outcome.status, "read", id);
+    const { matrix, image } = convention.tau === 1 ? outcome.hamilton : outcome.jpl;
+    close(matrix.flat(), output.S.flat(), tol, `${id} S`);
+    close(image, output.S_x, tol, `${id} S x`);
+  }
+});
+
+test("every bad input of the problem files is a problem with the same message", () => {
+  const folder = join(root, "tests", "problems");
+  const files = readdirSync(folder).filter((name) => name.endsWith(".txt"));
+  let compared = 0;
+  for (const name of files) {
+    const [upper, lower] = readFileSync(join(folder, name), "utf8").split(/---\n(?!.*---\n)/s);
+    if (upper.startsWith("@")) continue;
+    const quaternion = upper.replace(/\n$/, "");
+    const { HAMILTON: convention } = quatlas;
+    const outcome = quatlas.analyze({ view: "read", quaternion, vector: "1 0 0", convention });
+    assert.equal(outcome.status, "problems", name);
+    const [problem] = outcome.problems;
+    assert.ok(lower.startsWith(`${problem.code}: ${problem.message}\n`), name);
+    compared += 1;
+  }
+  assert.ok(compared > 40, `${compared} files`);
+});
+
+test("spans count UTF-16 units, as strings of JavaScript do", () => {
+  const text = '{"🙂": [0, 0, oops, 1]}';
+  const { problems } = quatlas.analyze({
+    view: "read",
+    quaternion: text,
+    vector: "1 0 0",
+    convention: quatlas.HAMILTON,
+  });
+  assert.equal(text.slice(problems[0].span.start, problems[0].span.end), "oops");
+});
+
+test("no NaN, no infinity and no -0 reaches JavaScript", () => {
+  for (const quaternion of ["-1 -0 -0 0", "1e-310 0 0 0", "1.7e308 1.7e308 1.7e308 1.7e308"]) {
+    for (const convention of [quatlas.HAMILTON, quatlas.JPL]) {
+      const request = { quaternion, vector: "-0 1.7e308 1.7e308", convention, view: "read" };
+      checkNumbers(quatlas.analyze(request), quaternion);
+      const { vector } = request;
+      checkNumbers(
+        quatlas.analyze({ view: "compose", p: quaternion, q: quaternion, vector, convention }),
+        quaternion,
+      );
+    }
+  }
+});
+
+test("a request that is not of its type is a TypeError that names what is wrong", () => {
+  const request = { view: "read", quaternion: "1 0 0 0", vector: "1 0 0" };
+  assert.throws(() => quatlas.analyze(request), { name: "TypeError", message: /convention/ });
+  const convention = { ...quatlas.JPL, handedness: "both" };
+  assert.throws(() => quatlas.analyze({ ...request, convention }), {
+    name: "TypeError",
+    message: /both/,
+  });
+  assert.throws(() => quatlas.analyze(undefined), { name: "TypeError" });
+});
+
+function checkNumbers(value, what) {
+  if (typeof value === "number") {
+    assert.ok(Number.isFinite(value) && !Object.is(value, -0), `${what}: ${value}`);
+  } else if (value !== null && typeof value === "object") {
+    for (const member of Object.values(value)) checkNumbers(member, what);
+  }
+}
+
+function close(got, expected, tolerance, what) {
+  assert.equal(got.length, expected.length, what);
+  for (const [at, wanted] of expected.entries()) {
+    const allowed = tolerance * Math.max(1, Math.abs(wanted));
+    assert.ok(Math.abs(got[at] - wanted) <= allowed, `${what}: got ${got}, expected ${expected}`);
+  }
+}

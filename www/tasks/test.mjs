@@ -1,0 +1,58 @@
+// npm test: set up what is missing, then every check, the fast ones first.
+// `npm test -- rust page` runs only the named steps.
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { buildPackage } from "./package.mjs";
+import { buildCore, setUp, setUpBrowser } from "./setup.mjs";
+import { main, root, run, Stop, say } from "./shell.mjs";
+
+const warningsAreErrors = ["--", "-D", "warnings"];
+
+const steps = {
+  format: () => {
+    run("cargo", "fmt", "--check");
+    run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests");
+  },
+  rust: () => {
+    run("cargo", "clippy", "--locked", "--all-targets", ...warningsAreErrors);
+    const wasm = ["--target", "wasm32-unknown-unknown"];
+    run("cargo", "clippy", "--locked", "--all-targets", ...wasm, ...warningsAreErrors);
+    run("cargo", "test", "--locked");
+    process.env.RUSTDOCFLAGS = "-D warnings";
+    run("cargo", "doc", "--locked", "--no-deps");
+    run("cargo", "doc", "--locked", "--no-deps", ...wasm);
+  },
+  types: async () => {
+    await buildCore();
+    run("tsc", "-p", "www");
+  },
+  package: async () => {
+    await buildCore();
+    await buildPackage();
+    run(process.execPath, "--test", "tests/node/");
+  },
+  wasm: () => run("wasm-pack", "test", "--node"),
+  page: async () => {
+    process.env.QUATLAS_BROWSER = (await setUpBrowser()) ?? "";
+    await buildCore();
+    say("building the page");
+    run("vite", "build", "--config", "www/vite.config.ts", "--logLevel", "warn");
+    run("playwright", "test", "--config", "tests/browser/playwright.config.ts");
+  },
+};
+
+await main(async () => {
+  if (!existsSync(join(root, "Cargo.lock"))) throw new Stop("this is not a checkout of quatlas");
+  const asked = process.argv.slice(2);
+  const unknown = asked.find((name) => !(name in steps));
+  if (unknown !== undefined) {
+    throw new Stop(`there is no step ${unknown}; there are ${Object.keys(steps).join(", ")}`);
+  }
+  await setUp();
+  for (const [name, step] of Object.entries(steps)) {
+    if (asked.length > 0 && !asked.includes(name)) continue;
+    say(`testing: ${name}`);
+    await step();
+  }
+  say("all checks passed");
+});

@@ -89,7 +89,7 @@ fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         hamilton,
         jpl,
         jpl_with_same_matrix: Components::of(
-            &attitude.rotation.to_tagged(same_matrix).components,
+            &attitude.tagged.to_convention(same_matrix).components,
             same_matrix.order,
         ),
         turn: turn(&attitude.rotation),

@@ -1,4 +1,5 @@
 // What is asked: text fields, the declared convention, the digits shown.
+import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
@@ -39,26 +40,54 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
             autocapitalize="off"
             value={text}
             aria-invalid={problem !== undefined}
-            aria-describedby={problem && `${id}-problem`}
+            aria-describedby={problem && problemId(field)}
             onInput={(event) => onText(event.currentTarget.value)}
           />
         </div>
       </div>
-      {problem && (
-        <div class="problem" id={`${id}-problem`}>
-          <p class="problem-message">{sentence(problem.message)}</p>
-          <p>
-            <span class="problem-key">Expected</span> {problem.expected}.{" "}
-            <span class="problem-key">Try</span> {problem.hint}.
-          </p>
-        </div>
-      )}
     </div>
   );
 }
 
-function sentence(words: string): string {
-  return `${words.charAt(0).toUpperCase()}${words.slice(1)}.`;
+const problemId = (field: Field) => `problem-${field}`;
+
+/**
+ * What is said about the texts: how they were read, or what stands in the way. One place for both,
+ * so that nothing moves while a text is typed.
+ */
+export function AskStatus({
+  store,
+  fields,
+  children,
+}: {
+  store: Store;
+  fields: readonly { field: Field; symbol: string }[];
+  children: ComponentChildren;
+}) {
+  const found = fields.flatMap(({ field, symbol }) => {
+    const problem = store.problemOf(field);
+    return problem ? [{ symbol, problem }] : [];
+  });
+  return (
+    <div class="ask-status">
+      {found.length === 0
+        ? children
+        : found.map(({ symbol, problem }) => (
+            <div key={symbol} class="problem" id={problemId(problem.field)}>
+              <p class="problem-message">
+                <var>{symbol}</var>: {problem.message}.
+              </p>
+              <p>
+                <span class="problem-key">Expected</span> {problem.expected}.{" "}
+                <span class="problem-key">Try</span> {problem.hint}.
+              </p>
+            </div>
+          ))}
+      {found.length > 0 && (
+        <p class="old-result">What stands below is the last result, from before this problem.</p>
+      )}
+    </div>
+  );
 }
 
 /** The text with the place of the problem marked; a place of no width takes what stands there. */

@@ -3,9 +3,9 @@ import type { Digits, Preset } from "../address.ts";
 import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
 import { Notes } from "./Notes.tsx";
-import { NamedComponents, OldResult, wordsOf } from "./Read.tsx";
+import { NamedComponents, wordsOf } from "./Read.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
 
 export function Compose({ store }: { store: Store }) {
@@ -49,27 +49,34 @@ export function Compose({ store }: { store: Store }) {
           />
           <DigitsSwitch store={store} />
         </div>
-        {shownResult?.freshness === "current" && (
-          <div class="read-as">
-            <p>
-              <var>p</var> <NamedComponents quaternion={shownResult.report.p} digits={digits} />
-            </p>
-            <p>
-              <var>q</var> <NamedComponents quaternion={shownResult.report.q} digits={digits} />
-            </p>
-            <Notes notes={shownResult.report.notes} digits={digits} />
-          </div>
-        )}
+        <AskStatus store={store} fields={fields}>
+          {shownResult && (
+            <div class="read-as">
+              <p>
+                <var>p</var> <NamedComponents quaternion={shownResult.report.p} digits={digits} />
+              </p>
+              <p>
+                <var>q</var> <NamedComponents quaternion={shownResult.report.q} digits={digits} />
+              </p>
+              <Notes notes={shownResult.report.notes} digits={digits} />
+            </div>
+          )}
+        </AskStatus>
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>
-          {shownResult.freshness === "old" && <OldResult />}
           <Result report={shownResult.report} digits={digits} preset={preset} />
         </div>
       )}
     </>
   );
 }
+
+const fields = [
+  { field: "p", symbol: "p" },
+  { field: "q", symbol: "q" },
+  { field: "vector", symbol: "x" },
+] as const;
 
 const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
 const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };

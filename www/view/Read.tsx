@@ -3,7 +3,7 @@ import type { Digits, Preset } from "../address.ts";
 import type { Column, ReadQuaternion, ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
 import { Facts } from "./Facts.tsx";
 import { Notes } from "./Notes.tsx";
 import { Relation } from "./Relation.tsx";
@@ -40,13 +40,12 @@ export function Read({ store }: { store: Store }) {
           <Examples store={store} />
           <DigitsSwitch store={store} />
         </div>
-        {shownResult?.freshness === "current" && (
-          <ReadAs report={shownResult.report} digits={digits} />
-        )}
+        <AskStatus store={store} fields={fields}>
+          {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
+        </AskStatus>
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>
-          {shownResult.freshness === "old" && <OldResult />}
           <Result report={shownResult.report} digits={digits} preset={preset} />
         </div>
       )}
@@ -54,11 +53,10 @@ export function Read({ store }: { store: Store }) {
   );
 }
 
-export function OldResult() {
-  return (
-    <p class="old-result">Below is the last result, from before the problem. It waits for you.</p>
-  );
-}
+const fields = [
+  { field: "quaternion", symbol: "q" },
+  { field: "vector", symbol: "x" },
+] as const;
 
 const examples: { name: string; quaternion: string; vector: string; preset: Preset }[] = [
   {

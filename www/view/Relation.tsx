@@ -22,14 +22,12 @@ export function Relation({
           body to world and JPL from world to body, so both say the same attitude:{" "}
           <strong>nothing is conjugated</strong>, only the order of the numbers changes.
         </p>
-        <p class="relation-numbers">
-          <span class="hamilton">{array(report.hamilton.quaternion.array)}</span>
-          <span class="relation-sign" aria-hidden="true">
-            ⇄
-          </span>
-          <span class="visually-hidden"> in Hamilton is in JPL </span>
-          <span class="jpl">{array(report.jpl.quaternion.array)}</span>
-        </p>
+        <dl class="relation-numbers">
+          <dt class="hamilton">Hamilton, body → world</dt>
+          <dd>{array(report.hamilton.quaternion.array)}</dd>
+          <dt class="jpl">JPL, world → body</dt>
+          <dd>{array(report.jpl.quaternion.array)}</dd>
+        </dl>
         <p class="relation-applies">
           {declared === "hamilton"
             ? "Applies to you if the JPL side keeps its custom, world to body."
@@ -43,14 +41,12 @@ export function Relation({
           <var>R</var>(<var>q</var>), and its vector part has the <strong>other sign</strong>{" "}
           <span class="source">(Yoosefian 2021, eq. 18)</span>.
         </p>
-        <p class="relation-numbers">
-          <span class="hamilton">{array(report.hamilton.unit.array)}</span>
-          <span class="relation-sign" aria-hidden="true">
-            ⇄
-          </span>
-          <span class="visually-hidden"> in Hamilton is in JPL, body to world, </span>
-          <span class="jpl">{array(report.jplWithSameMatrix.array)}</span>
-        </p>
+        <dl class="relation-numbers">
+          <dt class="hamilton">Hamilton, body → world</dt>
+          <dd>{array(report.hamilton.quaternion.array)}</dd>
+          <dt class="jpl">JPL, body → world</dt>
+          <dd>{array(report.jplWithSameMatrix.array)}</dd>
+        </dl>
         <p class="relation-applies">
           {declared === "hamilton"
             ? "Not what you declared: only for a JPL side that states body to world."

@@ -89,7 +89,7 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
         <Copy of={name} text={exactRows(rows)} />
       </figcaption>
-      <div class="matrix-scroll">
+      <div class={`matrix-scroll digits-${digits}`}>
         <table aria-label={name}>
           <tbody>
             {alignedRows(rows, digits).map((row, at) => (

@@ -11,7 +11,7 @@ const warningsAreErrors = ["--", "-D", "warnings"];
 const steps = {
   format: () => {
     run("cargo", "fmt", "--check");
-    run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests");
+    run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests", "benches");
   },
   rust: () => {
     run("cargo", "clippy", "--locked", "--all-targets", ...warningsAreErrors);

@@ -49,6 +49,21 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
   );
 }
 
+/** The vector that both views turn. */
+export function VectorField({ store }: { store: Store }) {
+  return (
+    <TextField
+      store={store}
+      field="vector"
+      symbol="x"
+      label="vector"
+      size="plain"
+      text={store.state.value.vector}
+      onText={(vector) => store.set({ vector })}
+    />
+  );
+}
+
 const problemId = (field: Field) => `problem-${field}`;
 
 /**

@@ -3,13 +3,14 @@ import type { Digits, Preset } from "../address.ts";
 import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField, VectorField } from "./Ask.tsx";
 import { Notes } from "./Notes.tsx";
-import { NamedComponents, wordsOf } from "./Read.tsx";
+import { NamedComponents } from "./Read.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
+import { wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
-  const { p, q, vector, digits, preset } = store.state.value;
+  const { p, q, digits, preset } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
@@ -38,15 +39,7 @@ export function Compose({ store }: { store: Store }) {
           <ConventionSwitch store={store} />
         </div>
         <div class="ask-row">
-          <TextField
-            store={store}
-            field="vector"
-            symbol="x"
-            label="vector"
-            size="plain"
-            text={vector}
-            onText={(text) => store.set({ vector: text })}
-          />
+          <VectorField store={store} />
           <DigitsSwitch store={store} />
         </div>
         <AskStatus store={store} fields={fields}>

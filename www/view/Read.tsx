@@ -1,16 +1,17 @@
 // The Read view: one quaternion, both conventions side by side.
 import type { Digits, Preset } from "../address.ts";
-import type { Column, ReadQuaternion, ReadReport } from "../engine.ts";
+import type { ReadQuaternion, ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField, VectorField } from "./Ask.tsx";
+import { ConventionColumn } from "./Column.tsx";
 import { Facts } from "./Facts.tsx";
 import { Notes } from "./Notes.tsx";
 import { Relation } from "./Relation.tsx";
-import { ArrayRow, ComponentStrip, Matrix, namesInOrder } from "./Value.tsx";
+import { namesInOrder } from "./Value.tsx";
 
 export function Read({ store }: { store: Store }) {
-  const { quaternion, vector, digits, preset } = store.state.value;
+  const { quaternion, digits, preset } = store.state.value;
   const shownResult = store.read.value;
   return (
     <>
@@ -28,15 +29,7 @@ export function Read({ store }: { store: Store }) {
           <ConventionSwitch store={store} />
         </div>
         <div class="ask-row">
-          <TextField
-            store={store}
-            field="vector"
-            symbol="x"
-            label="vector"
-            size="plain"
-            text={vector}
-            onText={(text) => store.set({ vector: text })}
-          />
+          <VectorField store={store} />
           <Examples store={store} />
           <DigitsSwitch store={store} />
         </div>
@@ -170,177 +163,5 @@ function Result({
       <Relation report={report} digits={digits} declared={preset} />
       <Facts report={report} digits={digits} />
     </>
-  );
-}
-
-/** What the two presets are called and do; the same words everywhere on the page. */
-export const wordsOf = {
-  hamilton: {
-    name: "Hamilton",
-    matrix: "R",
-    other: "C",
-    product: "ij = k",
-    order: "[w, x, y, z]",
-    direction: "body → world",
-    reversed: "world → body",
-    effect: "Takes coordinates in the body frame to coordinates in the world frame.",
-    vector: "x on the body axes, seen in the world",
-  },
-  jpl: {
-    name: "JPL",
-    matrix: "C",
-    other: "R",
-    product: "ij = −k",
-    order: "[x, y, z, w]",
-    direction: "world → body",
-    reversed: "body → world",
-    effect: "Takes coordinates in the world frame to coordinates in the body frame.",
-    vector: "x on the world axes, seen in the body",
-  },
-} as const;
-
-function ConventionColumn({
-  preset,
-  declared,
-  column,
-  norm,
-  digits,
-}: {
-  preset: Preset;
-  declared: Preset;
-  column: Column;
-  norm: number | undefined;
-  digits: Digits;
-}) {
-  const words = wordsOf[preset];
-  const matrix = (
-    <>
-      <var>{words.matrix}</var>(<var>q</var>)
-    </>
-  );
-  const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
-  return (
-    <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
-      <header>
-        <h2 id={`${preset}-name`}>{words.name}</h2>
-        {preset === declared && <span class="badge">as declared</span>}
-        <p class="axes">
-          <span>{words.product}</span> <span>{words.order}</span> <span>{words.direction}</span>
-        </p>
-        <p class="effect">{words.effect}</p>
-      </header>
-      <ComponentStrip
-        symbol="q"
-        components={column.quaternion}
-        convention={column.convention}
-        digits={digits}
-      />
-      <div class="matrices">
-        <Matrix
-          name={`${words.matrix}(q)`}
-          symbol={matrix}
-          caption={words.direction}
-          rows={column.matrix}
-          digits={digits}
-        />
-        <Matrix
-          name={`inverse of ${words.matrix}(q)`}
-          symbol={
-            <>
-              {matrix}
-              <sup>−1</sup> = {matrix}
-              <sup>T</sup>
-            </>
-          }
-          caption={words.reversed}
-          rows={column.inverseMatrix}
-          digits={digits}
-        />
-      </div>
-      <div class="rows">
-        <ArrayRow
-          name={`${words.matrix}(q) x`}
-          symbol={
-            <>
-              {matrix} <var>x</var>
-            </>
-          }
-          numbers={column.image}
-          digits={digits}
-          note={words.vector}
-        />
-        {!isUnit && (
-          <>
-            <ArrayRow
-              name="unit quaternion"
-              symbol={
-                <>
-                  <var>q</var>/|<var>q</var>|
-                </>
-              }
-              numbers={column.unit.array}
-              digits={digits}
-              note={norm !== undefined && `norm 1, was ${shown(norm, digits)}`}
-            />
-            <ArrayRow
-              name="conjugate"
-              symbol={
-                <>
-                  <var>q</var>*
-                </>
-              }
-              numbers={column.conjugate.array}
-              digits={digits}
-              note="the conjugate"
-            />
-          </>
-        )}
-        <ArrayRow
-          name="inverse"
-          symbol={
-            <>
-              <var>q</var>
-              <sup>−1</sup>
-              {isUnit && (
-                <>
-                  {" "}
-                  = <var>q</var>*
-                </>
-              )}
-            </>
-          }
-          numbers={column.inverse?.array}
-          digits={digits}
-          note={isUnit ? "the inverse, which is the conjugate" : "the inverse, conjugate / norm²"}
-        />
-      </div>
-      <details class="products">
-        <summary>Product matrices</summary>
-        <div class="matrices">
-          <Matrix
-            name="left product matrix"
-            symbol={
-              <>
-                <var>q</var>∘<var>p</var> = <var>L p</var>
-              </>
-            }
-            caption={`on ${words.order}`}
-            rows={column.leftProductMatrix}
-            digits={digits}
-          />
-          <Matrix
-            name="right product matrix"
-            symbol={
-              <>
-                <var>p</var>∘<var>q</var> = <var>R p</var>
-              </>
-            }
-            caption={`on ${words.order}`}
-            rows={column.rightProductMatrix}
-            digits={digits}
-          />
-        </div>
-      </details>
-    </section>
   );
 }

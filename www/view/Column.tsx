@@ -1,0 +1,152 @@
+// One attitude in one convention: components, matrices, the image of the vector, the inverse.
+import type { Digits, Preset } from "../address.ts";
+import type { Column } from "../engine.ts";
+import { shown } from "../format.ts";
+import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
+import { wordsOf } from "./words.ts";
+
+export function ConventionColumn({
+  preset,
+  declared,
+  column,
+  norm,
+  digits,
+}: {
+  preset: Preset;
+  declared: Preset;
+  column: Column;
+  norm: number | undefined;
+  digits: Digits;
+}) {
+  const words = wordsOf[preset];
+  const matrix = (
+    <>
+      <var>{words.matrix}</var>(<var>q</var>)
+    </>
+  );
+  const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
+  return (
+    <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
+      <header>
+        <h2 id={`${preset}-name`}>{words.name}</h2>
+        {preset === declared && <span class="badge">as declared</span>}
+        <p class="axes">
+          <span>{words.product}</span> <span>{words.order}</span> <span>{words.direction}</span>
+        </p>
+        <p class="effect">{words.effect}</p>
+      </header>
+      <ComponentStrip
+        symbol="q"
+        components={column.quaternion}
+        convention={column.convention}
+        digits={digits}
+      />
+      <div class="matrices">
+        <Matrix
+          name={`${words.matrix}(q)`}
+          symbol={matrix}
+          caption={words.direction}
+          rows={column.matrix}
+          digits={digits}
+        />
+        <Matrix
+          name={`inverse of ${words.matrix}(q)`}
+          symbol={
+            <>
+              {matrix}
+              <sup>−1</sup> = {matrix}
+              <sup>T</sup>
+            </>
+          }
+          caption={words.reversed}
+          rows={column.inverseMatrix}
+          digits={digits}
+        />
+      </div>
+      <div class="rows">
+        <ArrayRow
+          name={`${words.matrix}(q) x`}
+          symbol={
+            <>
+              {matrix} <var>x</var>
+            </>
+          }
+          numbers={column.image}
+          digits={digits}
+          note={words.vector}
+        />
+        {!isUnit && (
+          <>
+            <ArrayRow
+              name="unit quaternion"
+              symbol={
+                <>
+                  <var>q</var>/|<var>q</var>|
+                </>
+              }
+              numbers={column.unit.array}
+              digits={digits}
+              note={norm !== undefined && `norm 1, was ${shown(norm, digits)}`}
+            />
+            <ArrayRow
+              name="conjugate"
+              symbol={
+                <>
+                  <var>q</var>*
+                </>
+              }
+              numbers={column.conjugate.array}
+              digits={digits}
+              note="the conjugate"
+            />
+          </>
+        )}
+        <ArrayRow
+          name="inverse"
+          symbol={
+            <>
+              <var>q</var>
+              <sup>−1</sup>
+              {isUnit && (
+                <>
+                  {" "}
+                  = <var>q</var>*
+                </>
+              )}
+            </>
+          }
+          numbers={column.inverse?.array}
+          digits={digits}
+          note={isUnit ? "the inverse, which is the conjugate" : "the inverse, conjugate / norm²"}
+        />
+      </div>
+      <details class="products">
+        <summary>Product matrices</summary>
+        <div class="matrices">
+          <Matrix
+            name="left product matrix"
+            symbol={
+              <>
+                <var>q</var>∘<var>p</var> = <var>L p</var>
+              </>
+            }
+            caption={`on ${words.order}`}
+            rows={column.leftProductMatrix}
+            digits={digits}
+          />
+          <Matrix
+            name="right product matrix"
+            symbol={
+              <>
+                <var>p</var>∘<var>q</var> = <var>R p</var>
+              </>
+            }
+            caption={`on ${words.order}`}
+            rows={column.rightProductMatrix}
+            digits={digits}
+          />
+        </div>
+      </details>
+    </section>
+  );
+}

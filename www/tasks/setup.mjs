@@ -10,7 +10,7 @@ const OLDEST_RUST = [1, 89];
 const OLDEST_WASM_PACK = [0, 13];
 const WASM_PACK = "0.15.1";
 const WASM = "wasm32-unknown-unknown";
-const NETWORK = "check the network connection and run this again";
+const network = "check the network connection and run this again";
 
 export async function setUp() {
   checkNode();
@@ -58,7 +58,8 @@ async function installNodeModules() {
   say("installing the node modules of the lock file (first time only, under a minute)");
   const npm = process.env.npm_execpath;
   const [command, ...args] = npm?.endsWith("js") ? [process.execPath, npm] : ["npm"];
-  await runQuietly(NETWORK, command, ...args, "ci", "--no-audit", "--no-fund");
+  const install = { task: "install the node modules", advice: network };
+  await runQuietly(install, command, ...args, "ci", "--no-audit", "--no-fund");
   writeFileSync(stamp, lock);
 }
 
@@ -71,7 +72,8 @@ async function addWasmTarget() {
     );
   }
   say(`adding the Rust target ${WASM} (first time only, under a minute)`);
-  await runQuietly(NETWORK, "rustup", "target", "add", WASM);
+  const add = { task: "add the wasm target", advice: network };
+  await runQuietly(add, "rustup", "target", "add", WASM);
 }
 
 async function installWasmPack() {
@@ -79,7 +81,7 @@ async function installWasmPack() {
   if (version !== undefined && !isOlder(version, OLDEST_WASM_PACK)) return;
   say(`installing wasm-pack ${WASM_PACK} with cargo (first time only, about three minutes)`);
   await runQuietly(
-    NETWORK,
+    { task: "install wasm-pack", advice: network },
     "cargo",
     "install",
     "wasm-pack",
@@ -88,6 +90,18 @@ async function installWasmPack() {
     "--locked",
     "--force",
   );
+}
+
+/** What only the checks of the Rust code need; a minimal toolchain does not have it. */
+export async function setUpRustChecks() {
+  const missing = ["clippy", "rustfmt"].filter((component) => {
+    const command = component === "rustfmt" ? "fmt" : component;
+    return ask("cargo", command, "--version") === undefined;
+  });
+  if (missing.length === 0) return;
+  say(`adding ${missing.join(" and ")} to the Rust toolchain (first time only)`);
+  const add = { task: `add ${missing.join(" and ")}`, advice: network };
+  await runQuietly(add, "rustup", "component", "add", ...missing);
 }
 
 const BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
@@ -104,8 +118,10 @@ export async function setUpBrowser() {
   if (isRoot && ask("apt-get", "--version") !== undefined) {
     say("installing the distribution's Chromium for the browser tests (first time only, a minute)");
     try {
-      await runQuietly(NETWORK, "apt-get", "update");
-      await runQuietly(NETWORK, "apt-get", "install", "-y", "--no-install-recommends", "chromium");
+      const install = { task: "install Chromium", advice: network };
+      const packages = ["--no-install-recommends", "chromium", "fonts-dejavu-core"];
+      await runQuietly(install, "apt-get", "update");
+      await runQuietly(install, "apt-get", "install", "-y", ...packages);
       const installed = findBrowser();
       if (installed !== undefined) return installed;
     } catch (error) {
@@ -114,7 +130,8 @@ export async function setUpBrowser() {
   }
   say("installing Playwright's Chromium for the browser tests (first time only, a minute)");
   const advice = "install Chromium or Chrome by hand and run this again";
-  await runQuietly(advice, "playwright", "install", "chromium");
+  const install = { task: "install Playwright's Chromium", advice };
+  await runQuietly(install, "playwright", "install", "chromium");
   return undefined;
 }
 
@@ -140,7 +157,7 @@ export async function buildCore() {
     "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
   );
   await runQuietly(
-    "look there for the compiler's words, or check the network connection",
+    { task: "build the core", advice: "mend what the compiler names, or check the network" },
     "wasm-pack",
     "build",
     "--release",

@@ -8,6 +8,9 @@ import { fileURLToPath } from "node:url";
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 const isWindows = process.platform === "win32";
 
+/** How much of a program's output is searched for the reason of its failure. */
+const longestReason = 20_000;
+
 /** A reason to end that the person at the keyboard can do something about. */
 export class Stop extends Error {}
 
@@ -43,29 +46,34 @@ export function run(command, ...args) {
   if (status !== 0) throw new Stop(`${[command, ...args].join(" ")} failed; its words are above`);
 }
 
-/** Runs a program with its output in a log, which is named if it fails. */
-export async function runQuietly(advice, command, ...args) {
-  const folder = join(root, "target");
-  mkdirSync(folder, { recursive: true });
-  const logFile = join("target", `${command.replace(/\W/g, "-")}.log`);
+/**
+ * Runs a program with its output in a log. If it fails, one line says what could not be done, why
+ * as far as the program told, and what to do.
+ */
+export async function runQuietly({ task, advice }, command, ...args) {
+  mkdirSync(join(root, "target"), { recursive: true });
+  const logFile = join("target", `${task.replaceAll(" ", "-")}.log`);
   const log = createWriteStream(join(root, logFile));
-  let lastLines = "";
+  let output = "";
   const status = await new Promise((resolve) => {
     const child = spawn(command, args, { cwd: root, shell: isWindows });
     for (const stream of [child.stdout, child.stderr]) {
       stream.on("data", (chunk) => {
         log.write(chunk);
-        lastLines = (lastLines + chunk).slice(-4000);
+        output = (output + chunk).slice(-longestReason);
       });
     }
-    child.on("error", () => resolve(undefined));
+    child.on("error", (error) => {
+      output = String(error);
+      resolve(undefined);
+    });
     child.on("close", resolve);
   });
   log.end();
   if (status === 0) return;
-  const reason = lastLines.split("\n").findLast((line) => /error|fail|could not/i.test(line));
+  const reason = output.split("\n").find((line) => /\berror\b|failed|could not/i.test(line)) ?? "";
   throw new Stop(
-    `${[command, ...args].join(" ")} failed${reason ? ` (${reason.trim()})` : ""}; ${advice} (all it said is in ${logFile})`,
+    `could not ${task} (${reason.trim()}): ${advice}; all that was said is in ${logFile}`,
   );
 }
 

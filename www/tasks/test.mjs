@@ -3,17 +3,19 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { buildPackage } from "./package.mjs";
-import { buildCore, setUp, setUpBrowser } from "./setup.mjs";
+import { buildCore, setUp, setUpBrowser, setUpRustChecks } from "./setup.mjs";
 import { main, root, run, Stop, say } from "./shell.mjs";
 
 const warningsAreErrors = ["--", "-D", "warnings"];
 
 const steps = {
-  format: () => {
+  format: async () => {
+    await setUpRustChecks();
     run("cargo", "fmt", "--check");
     run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests", "benches");
   },
-  rust: () => {
+  rust: async () => {
+    await setUpRustChecks();
     run("cargo", "clippy", "--locked", "--all-targets", ...warningsAreErrors);
     const wasm = ["--target", "wasm32-unknown-unknown"];
     run("cargo", "clippy", "--locked", "--all-targets", ...wasm, ...warningsAreErrors);

@@ -12,6 +12,17 @@
 //! [`TaggedQuaternion`], [`Rotation`]. What the words mean, with numbers that show it, is in
 //! [`convention`](mod@convention).
 //!
+//! # Sources
+//!
+//! Equations are cited by their documents: *Cheng 2018* (H. Cheng, "Standardised Use of Quaternion
+//! for SO(3) Representation", National University of Singapore), *Yoosefian 2021* (M. H. Yoosefian
+//! Nooshabadi, "A Concise Note on Coordinate Frames Transformation and Quaternion Conventions"), the
+//! lecture *ME 495* ("Quaternions and More Geometry") and the *field guide* ("Implementing
+//! Rotations: A Robotics Field Guide"). *Specification* with a number or an id is the project's own
+//! inventory of their equations, each checked numerically.
+//!
+//! # Reading the code
+//!
 //! The modules below stand in the order of the road; each uses only those above it. Inside the
 //! crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
 //! tags at the edge.

@@ -11,11 +11,12 @@ use crate::report::{
     rows3,
 };
 use crate::rotation::{NoRotation, Rotation};
+use crate::scaling;
 use nalgebra::{Quaternion, Vector3};
 
-/// How far two products of the same numbers may differ by rounding alone, relative to their norm:
-/// each component is a sum of four products, so it takes seven roundings of 2^-53 in each of two.
-const ROUNDING_OF_TWO_PRODUCTS: f64 = 14.0 * (f64::EPSILON / 2.0);
+/// How far parallel directions of length 1 may seem apart by the rounding of their components, by
+/// half a unit in the last place when typed and a few when normalised and multiplied.
+const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * (f64::EPSILON / 2.0);
 
 /// The four products and what they have in common.
 pub(crate) struct Composition {
@@ -42,7 +43,6 @@ pub(crate) fn compose(
     let (shown_p, shown_q) = if as_typed { (p, q) } else { (&unit_p, &unit_q) };
 
     let mut products = Vec::new();
-    let mut quaternions = Vec::new();
     for preset in [Convention::HAMILTON, Convention::JPL] {
         for (left, right) in [(Operand::P, Operand::Q), (Operand::Q, Operand::P)] {
             let pick = |operand, p: &TaggedQuaternion, q: &TaggedQuaternion| match operand {
@@ -65,7 +65,6 @@ pub(crate) fn compose(
             let after_right = Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?
                 .turn_within_range(direction, vector);
             let after_both = Rotation::from_tagged(&unit_product)?;
-            quaternions.push(typed_product);
             products.push(Product {
                 convention: preset,
                 left,
@@ -85,13 +84,23 @@ pub(crate) fn compose(
             });
         }
     }
-    for (product, quaternion) in products.iter_mut().zip(&quaternions) {
-        product.equal_to = (0..quaternions.len())
-            .filter(|&other| are_equal(quaternion, &quaternions[other]))
-            .collect();
+    // p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4); the other two only where they commute.
+    let order_matters = order_matters(&unit_p.components, &unit_q.components);
+    let is_same = |one: usize, other: usize| {
+        order_matters == OrderMatters::No || one == other || one + other == products.len() - 1
+    };
+    let equal: Vec<Vec<usize>> = (0..products.len())
+        .map(|one| {
+            (0..products.len())
+                .filter(|&other| is_same(one, other))
+                .collect()
+        })
+        .collect();
+    for (product, equal_to) in products.iter_mut().zip(equal) {
+        product.equal_to = equal_to;
     }
     Ok(Composition {
-        order_matters: order_matters(&quaternions[0], &quaternions[1]),
+        order_matters,
         products,
         out_of_range: (!as_typed).then_some(OutOfRange {
             what: OutOfRangeNumber::Product,
@@ -108,18 +117,27 @@ const fn frames(direction: Direction) -> [Frame; 3] {
     }
 }
 
-fn are_equal(one: &Quaternion<f64>, other: &Quaternion<f64>) -> bool {
-    let largest = one.coords.amax().max(other.coords.amax());
-    // Halved, so that the difference of two large numbers of opposite sign stays finite.
-    (one.coords / 2.0 - other.coords / 2.0).amax() <= ROUNDING_OF_TWO_PRODUCTS / 2.0 * largest
-}
-
-fn order_matters(pq: &Quaternion<f64>, qp: &Quaternion<f64>) -> OrderMatters {
-    if are_equal(pq, qp) {
-        OrderMatters::No
-    } else if are_equal(pq, &-qp) {
-        OrderMatters::OnlyInSign
-    } else {
-        OrderMatters::Yes
+/// Whether p∘q and q∘p differ, for norm 1: they differ by 2 p_v × q_v, and p∘q = −q∘p means that
+/// both scalars are 0 and the axes perpendicular. Tested on the factors, since a small difference
+/// drowns in the rounding of the products.
+fn order_matters(p: &Quaternion<f64>, q: &Quaternion<f64>) -> OrderMatters {
+    let direction = |quaternion: &Quaternion<f64>| {
+        let vector: Vector3<f64> = quaternion.vector().into();
+        let exponent = scaling::binary_exponent(vector.as_slice());
+        vector
+            .map(|number| scaling::times_power_of_two(number, -exponent))
+            .normalize()
+    };
+    if p.vector().amax() == 0.0 || q.vector().amax() == 0.0 {
+        return OrderMatters::No;
     }
+    let (p_axis, q_axis) = (direction(p), direction(q));
+    if p_axis.cross(&q_axis).amax() <= ROUNDING_OF_DIRECTIONS {
+        return OrderMatters::No;
+    }
+    let are_half_turns = p.w.abs().max(q.w.abs()) <= ROUNDING_OF_DIRECTIONS;
+    if are_half_turns && p_axis.dot(&q_axis).abs() <= ROUNDING_OF_DIRECTIONS {
+        return OrderMatters::OnlyInSign;
+    }
+    OrderMatters::Yes
 }

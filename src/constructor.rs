@@ -11,8 +11,6 @@ const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
     ("Eigen.Quaterniond", ScalarFirst),
     ("Eigen.Quaternionf", ScalarFirst),
     ("Eigen.Quaternion", ScalarFirst),
-    ("Quaterniond", ScalarFirst),
-    ("Quaternionf", ScalarFirst),
     ("glm.quat", ScalarFirst),
     ("glm.dquat", ScalarFirst),
     ("glm.fquat", ScalarFirst),
@@ -46,39 +44,76 @@ const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
     ("Quaternion.new", ScalarFirst),
 ];
 
-/// The order of a constructor's arguments, by the name it is called by; `None` where the name is
-/// not known.
-pub(crate) fn order_of(name: &str) -> Option<ComponentOrder> {
-    let name = name.replace("::", ".");
-    let lower = name.to_ascii_lowercase();
-    if lower.contains("xyzw") {
-        return Some(ScalarLast);
-    }
-    if lower.contains("wxyz") {
-        return Some(ScalarFirst);
-    }
-    CONSTRUCTORS
-        .iter()
-        .find(|(known, _)| {
-            name.strip_suffix(known)
-                .is_some_and(|before| before.is_empty() || before.ends_with('.'))
-        })
-        .map(|&(_, order)| order)
+/// What a call does with its numbers, as far as its name tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Call {
+    /// It makes a quaternion of numbers in this order.
+    Ordered(ComponentOrder),
+    /// It makes a quaternion, and the order of its numbers is not known.
+    Unordered,
+    /// It only holds numbers, such as `np.array`.
+    Container,
+    /// It makes a vector of its numbers.
+    Vector,
+    /// It does something else to its numbers, such as `inverse` or `fromEuler`.
+    Other,
 }
 
-/// Whether a call only holds numbers and says nothing about their order, such as `np.array`.
-pub(crate) fn is_container(name: &str) -> bool {
-    let last = name.rsplit([':', '.']).next().unwrap_or(name);
-    matches!(
-        last,
-        "array"
-            | "asarray"
-            | "tensor"
-            | "list"
-            | "tuple"
-            | "vec"
-            | "vec4"
-            | "Vector4d"
-            | "Vector4f"
-    )
+/// Words that say that a call computes, or that its numbers are not components.
+const OPERATIONS: [&str; 22] = [
+    "about", "align", "angle", "as_", "axis", "between", "conj", "cross", "diff", "dot", "euler",
+    "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy", "to_",
+];
+
+pub(crate) fn call(name: &str) -> Call {
+    let path = name.replace("::", ".");
+    let last = path.rsplit('.').next().unwrap_or(&path);
+    let lower = last.to_ascii_lowercase();
+    let computes = OPERATIONS.iter().any(|word| lower.contains(word))
+        || ["to", "as"].iter().any(|word| {
+            last.strip_prefix(word)
+                .is_some_and(|rest| rest.starts_with(char::is_uppercase))
+        });
+    if computes {
+        return Call::Other;
+    }
+    if let Some(order) = order_in_name(last) {
+        return Call::Ordered(order);
+    }
+    let known = CONSTRUCTORS.iter().find(|(known, _)| {
+        path.strip_suffix(known)
+            .is_some_and(|before| before.is_empty() || before.ends_with('.'))
+    });
+    if let Some(&(_, order)) = known {
+        return Call::Ordered(order);
+    }
+    match lower.as_str() {
+        "array" | "asarray" | "tensor" | "list" | "tuple" | "vec" => Call::Container,
+        "so3" | "so3d" | "so3f" | "rot3" | "rotation" | "new" | "new_normalize"
+        | "new_unchecked" => Call::Unordered,
+        "float3" | "double3" | "point3" => Call::Vector,
+        _ if lower.contains("quat") => Call::Unordered,
+        _ if lower.contains("vec") || lower.contains("point") => Call::Vector,
+        _ => Call::Other,
+    }
+}
+
+/// The order that a name spells out, such as `from_xyzw` or `q_wxyz`.
+pub(crate) fn order_in_name(name: &str) -> Option<ComponentOrder> {
+    let lower = name.to_ascii_lowercase();
+    if lower.contains("xyzw") {
+        Some(ScalarLast)
+    } else if lower.contains("wxyz") {
+        Some(ScalarFirst)
+    } else {
+        None
+    }
+}
+
+/// Whether a label announces something else than a quaternion or a vector.
+pub(crate) fn is_other_label(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    ["angle", "axis", "euler", "matrix", "rotvec", "rpy", "ypr"]
+        .iter()
+        .any(|word| lower.contains(word))
 }

@@ -6,11 +6,11 @@
 
 use crate::messages::Fault;
 use crate::problem::Span;
-use winnow::ascii::{digit0, digit1, line_ending};
+use winnow::ascii::{digit0, digit1, line_ending, space0};
 use winnow::combinator::{alt, delimited, eof, fail, not, opt, peek, repeat, terminated};
 use winnow::prelude::*;
 use winnow::stream::LocatingSlice;
-use winnow::token::{any, one_of, take_till, take_while};
+use winnow::token::{any, one_of, take_till, take_until, take_while};
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
 pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
@@ -40,6 +40,7 @@ pub(crate) enum Bracket {
     Round,
     Square,
     Curly,
+    Angle,
 }
 
 impl Bracket {
@@ -48,6 +49,7 @@ impl Bracket {
             Self::Round => "(",
             Self::Square => "[",
             Self::Curly => "{",
+            Self::Angle => "<",
         }
     }
 
@@ -56,6 +58,7 @@ impl Bracket {
             Self::Round => ")",
             Self::Square => "]",
             Self::Curly => "}",
+            Self::Angle => ">",
         }
     }
 }
@@ -65,6 +68,14 @@ impl Bracket {
 pub(crate) enum Spacing {
     Adjacent,
     Apart,
+    /// Apart, and on another line.
+    NextLine,
+}
+
+impl Spacing {
+    pub(crate) fn is_adjacent(self) -> bool {
+        self == Self::Adjacent
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,6 +85,12 @@ pub(crate) struct Token<'t> {
     pub(crate) text: &'t str,
     pub(crate) span: Span,
     pub(crate) spacing: Spacing,
+}
+
+impl Token<'_> {
+    fn is_number(&self) -> bool {
+        matches!(self.kind, TokenKind::Number(_))
+    }
 }
 
 /// Words of a declaration that say nothing about the numbers.
@@ -100,8 +117,17 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
     let mut line = Line::Start;
     let mut spacing = Spacing::Apart;
     loop {
-        if let Some(line_now) = blank(&mut input, line, yaml_dash) {
-            spacing = Spacing::Apart;
+        let before = text.len() - input.len();
+        let touching = match tokens.last().is_some_and(Token::is_number) {
+            true => Touching::Number,
+            false => Touching::Other,
+        };
+        if let Some(line_now) = blank(&mut input, line, touching, yaml_dash) {
+            let skipped = &text[before..text.len() - input.len()];
+            spacing = match skipped.contains('\n') {
+                true => Spacing::NextLine,
+                false => Spacing::Apart,
+            };
             line = line_now;
         }
         if input.is_empty() {
@@ -111,7 +137,11 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
         let Ok((kind, written)) = token.parse_next(&mut input) else {
             let character = text[start..].chars().next().unwrap_or(' ');
             let span = Span::from(start..start + character.len_utf8());
-            return Err(Fault::unexpected_character(span, character));
+            return Err(match character {
+                '∞' => Fault::infinite(span),
+                '.' => Fault::method(span),
+                _ => Fault::unexpected_character(span, character),
+            });
         };
         let span = Span::from(start..text.len() - input.len());
         if kind == TokenKind::Word && DECLARATION_WORDS.contains(&written) {
@@ -120,6 +150,15 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
         }
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
+            // `0.5.5`, `1½`: two numbers that touch were not meant as two.
+            if spacing.is_adjacent() && tokens.last().is_some_and(Token::is_number) {
+                return Err(Fault::unexpected(span, written));
+            }
+        }
+        // `0.92(3)` is a number with its uncertainty, not a product.
+        let opens = kind == TokenKind::Open(Bracket::Round);
+        if opens && spacing.is_adjacent() && tokens.last().is_some_and(Token::is_number) {
+            return Err(Fault::unexpected(span, written));
         }
         tokens.push(Token {
             kind,
@@ -145,7 +184,7 @@ fn is_yaml_list(text: &str) -> bool {
     let mut lines = text
         .lines()
         .map(str::trim_start)
-        .filter(|line| !line.is_empty() && *line != "---");
+        .filter(|line| !line.is_empty() && line.trim_end() != "---");
     let items = lines.clone().count();
     items > 1 && lines.all(|line| line.starts_with("- "))
 }
@@ -157,12 +196,30 @@ enum Line {
     Inside,
 }
 
+/// What stands right before a place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Touching {
+    Number,
+    Other,
+}
+
 /// Skips white space, comments and what only lays out a YAML text; `None` where there is nothing to
 /// skip.
-fn blank(input: &mut Input<'_>, mut line: Line, yaml_dash: YamlDash) -> Option<Line> {
+fn blank(
+    input: &mut Input<'_>,
+    mut line: Line,
+    touching: Touching,
+    yaml_dash: YamlDash,
+) -> Option<Line> {
     let before = input.len();
     loop {
-        let skipped = alt((white, comment, layout(line, yaml_dash))).parse_next(input);
+        // A comment does not touch a number: `1.#IND` and `1//2` are something else.
+        let is_first = input.len() == before;
+        let skipped = if is_first && touching == Touching::Number {
+            alt((white, layout(line, yaml_dash))).parse_next(input)
+        } else {
+            alt((white, comment, layout(line, yaml_dash))).parse_next(input)
+        };
         match skipped {
             Ok(text) if text.contains('\n') => line = Line::Start,
             Ok("-") => line = Line::Inside,
@@ -181,7 +238,7 @@ fn layout<'t>(
         if line == Line::Inside {
             return fail.parse_next(input);
         }
-        let separator = terminated("---", peek(alt((line_ending, eof))));
+        let separator = terminated("---", peek((space0, alt((line_ending, eof)))));
         match yaml_dash {
             YamlDash::Separates => alt((separator, "-")).parse_next(input),
             YamlDash::IsMinus => { separator }.parse_next(input),
@@ -197,9 +254,11 @@ fn white<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
 }
 
 fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
-    (alt(("//", "#")), take_till(0.., '\n'))
-        .take()
-        .parse_next(input)
+    alt((
+        (alt(("//", "#")), take_till(0.., '\n')).take(),
+        ("/*", take_until(0.., "*/"), "*/").take(),
+    ))
+    .parse_next(input)
 }
 
 fn token<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
@@ -284,6 +343,8 @@ fn sign<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
                 '(' => TokenKind::Open(Bracket::Round),
                 '[' => TokenKind::Open(Bracket::Square),
                 '{' => TokenKind::Open(Bracket::Curly),
+                '<' => TokenKind::Open(Bracket::Angle),
+                '>' => TokenKind::Close(Bracket::Angle),
                 ')' => TokenKind::Close(Bracket::Round),
                 ']' => TokenKind::Close(Bracket::Square),
                 '}' => TokenKind::Close(Bracket::Curly),

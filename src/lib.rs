@@ -55,8 +55,10 @@ mod linear;
 mod tree;
 // Tokens to a tree.
 mod syntax;
-// The order of known constructors.
+// What a call does with its numbers.
 mod constructor;
+// Members to named components.
+mod meaning;
 /// Text to numbers.
 pub mod parse;
 

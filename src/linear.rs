@@ -5,13 +5,21 @@
 
 use crate::messages::Fault;
 use crate::problem::Span;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Linear {
     pub(crate) scalar: f64,
     /// The coefficients of i, j and k, where at least one of these units was written.
     pub(crate) units: Option<[f64; 3]>,
+    pub(crate) quantity: Quantity,
+}
+
+/// Whether a number was given in degrees, and so can only stand in a sine or the like.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    Number,
+    Angle,
 }
 
 impl Linear {
@@ -19,6 +27,7 @@ impl Linear {
         Self {
             scalar,
             units: None,
+            quantity: Quantity::Number,
         }
     }
 
@@ -30,8 +39,8 @@ impl Linear {
             _ => return None,
         };
         Some(Self {
-            scalar: 0.0,
             units: Some(units),
+            ..Self::real(0.0)
         })
     }
 
@@ -39,12 +48,18 @@ impl Linear {
         match last_segment(name) {
             "pi" | "PI" | "Pi" | "π" | "M_PI" => Some(Self::real(PI)),
             "tau" | "TAU" | "τ" => Some(Self::real(TAU)),
+            "SQRT1_2" | "M_SQRT1_2" | "FRAC_1_SQRT_2" => Some(Self::real(FRAC_1_SQRT_2)),
             _ => None,
         }
     }
 
     pub(crate) fn is_function(name: &str) -> bool {
         function(name).is_some() || is_cast(name)
+    }
+
+    /// Whether a word stands for a number or makes one.
+    pub(crate) fn is_known(name: &str) -> bool {
+        Self::is_function(name) || Self::constant(name).is_some()
     }
 
     /// A function of one real number; `argument_span` is where the number stands.
@@ -75,6 +90,7 @@ impl Linear {
         Self {
             scalar: self.scalar + other.scalar,
             units,
+            quantity: self.quantity.with(other.quantity),
         }
         .checked(span)
     }
@@ -83,6 +99,7 @@ impl Linear {
         Self {
             scalar: -self.scalar,
             units: self.units.map(|units| units.map(|unit| -unit)),
+            ..self
         }
     }
 
@@ -92,7 +109,11 @@ impl Linear {
             (None, _) => (self.scalar, other),
             (_, None) => (other.scalar, self),
         };
-        linear.map_checked(span, factor != 0.0, |number| number * factor)
+        let product = linear.map_checked(span, factor != 0.0, |number| number * factor)?;
+        Ok(Self {
+            quantity: self.quantity.with(other.quantity),
+            ..product
+        })
     }
 
     pub(crate) fn over(self, other: Self, other_span: Span, span: Span) -> Result<Self, Fault> {
@@ -106,7 +127,11 @@ impl Linear {
     }
 
     pub(crate) fn degrees(self, span: Span) -> Result<Self, Fault> {
-        self.times(Self::real(PI / 180.0), span)
+        let radians = self.times(Self::real(PI / 180.0), span)?;
+        Ok(Self {
+            quantity: Quantity::Angle,
+            ..radians
+        })
     }
 
     /// Applies a scaling to every part; a part that was not zero must not become zero by rounding.
@@ -119,6 +144,7 @@ impl Linear {
         let scaled = Self {
             scalar: scale(self.scalar),
             units: self.units.map(|units| units.map(&scale)),
+            ..self
         };
         let vanished = keeps_non_zero
             && self
@@ -146,6 +172,12 @@ impl Linear {
     }
 }
 
+impl Quantity {
+    fn with(self, other: Self) -> Self {
+        if self == Self::Angle { self } else { other }
+    }
+}
+
 fn last_segment(name: &str) -> &str {
     name.rsplit([':', '.']).next().unwrap_or(name)
 }
@@ -160,6 +192,7 @@ fn function(name: &str) -> Option<fn(f64) -> f64> {
         "asin" => libm::asin,
         "acos" => libm::acos,
         "atan" => libm::atan,
+        "deg2rad" | "radians" => |degrees| degrees * (PI / 180.0),
         _ => return None,
     })
 }

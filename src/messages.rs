@@ -122,6 +122,78 @@ impl Fault {
         )
     }
 
+    pub(crate) fn method(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnexpectedCharacter,
+            span,
+            "nothing that follows the value is applied here",
+            "the value alone",
+            "write the numbers that come out of it",
+        )
+    }
+
+    pub(crate) fn not_applied(span: Span, name: &str, wanted: Wanted) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{name} is not applied here, so its numbers would mean something else"),
+            wanted.in_words(),
+            "write the numbers that come out of it; axis and angle, rotation vectors and Euler \
+             angles are not read yet",
+        )
+    }
+
+    pub(crate) fn angle_for_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "an angle cannot stand here",
+            "a component of a quaternion or a vector",
+            "put it into a sine or cosine, as in cos(22.5°) + sin(22.5°) k",
+        )
+    }
+
+    pub(crate) fn axis_and_angle(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a vector and then a number in a call is an axis and an angle",
+            "the four numbers of a quaternion",
+            "write cos(angle/2) and the axis times sin(angle/2)",
+        )
+    }
+
+    pub(crate) fn loose_sign(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "with spaces around this sign it can be a minus, a difference or a dash of a list",
+            "numbers whose signs stand right before them",
+            "write -0.1 for a negative number, put commas between the numbers, or compute the difference",
+        )
+    }
+
+    pub(crate) fn factor_before_line(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "this factor belongs to all the numbers of the next lines",
+            "the numbers themselves",
+            "multiply the numbers by it (a common factor does not change the rotation)",
+        )
+    }
+
+    pub(crate) fn several_values(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedNames,
+            span,
+            "these components belong to more than one value",
+            "the components of one quaternion or one vector",
+            "keep only its lines, such as those of the orientation",
+        )
+    }
+
     pub(crate) fn unexpected(span: Span, found: &str) -> Self {
         let found = shorten(found, QUOTED_CHARACTERS);
         Self::new(

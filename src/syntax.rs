@@ -15,12 +15,16 @@ use winnow::token::any;
 /// How many brackets may be open at once; a quaternion needs about four.
 const MAX_DEPTH: usize = 32;
 
+/// As in `Eigen::Quaterniond q =`.
+const MOST_WORDS_OF_A_KEY: usize = 2;
+
 /// Reads all tokens of a text.
 pub(crate) fn entries<'t>(tokens: &[Token<'t>], text: &str) -> Result<Vec<Entry<'t>>, Fault> {
     let state = State {
         text_end: text.trim_end().len(),
         depth: 0,
         spaces: Spaces::Separate,
+        loose_sign: None,
     };
     let mut input = Stateful {
         input: tokens,
@@ -44,6 +48,7 @@ struct State {
     text_end: usize,
     depth: usize,
     spaces: Spaces,
+    loose_sign: Option<Span>,
 }
 
 /// Whether white space separates numbers, as in a list, or not, as in a function's argument.
@@ -118,13 +123,14 @@ fn list<'t>(input: &mut Input<'_, 't>) -> Parsed<Vec<Entry<'t>>> {
             TokenKind::Close(_) => break,
             TokenKind::Comma => {
                 input.next_token();
+                if lead == Lead::Bare {
+                    lead = Lead::AfterComma;
+                }
             }
             _ => {
-                if lead != Lead::First {
-                    lead = match token.kind {
-                        TokenKind::Plus | TokenKind::Minus => Lead::Signed,
-                        _ => Lead::Bare,
-                    };
+                let is_sign = matches!(token.kind, TokenKind::Plus | TokenKind::Minus);
+                if lead == Lead::Bare && is_sign {
+                    lead = Lead::Signed;
                 }
                 entries.push(entry(input, lead)?);
                 lead = Lead::Bare;
@@ -135,35 +141,51 @@ fn list<'t>(input: &mut Input<'_, 't>) -> Parsed<Vec<Entry<'t>>> {
 }
 
 fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
-    let mut key = None;
-    // A label before another name is only a heading: `orientation:` above `x: 0`.
+    let mut key: Option<Key<'t>> = None;
+    // A label before another name is a heading: `orientation:` above `x: 0`.
     while let Some((found, length)) = key_ahead(input) {
         input.next_slice(length);
-        key = Some(found);
+        key = Some(Key {
+            heading: key.map(|label| label.name),
+            ..found
+        });
     }
+    input.state.loose_sign = None;
     let node = sum(input)?;
-    Ok(Entry { key, node, lead })
+    Ok(Entry {
+        key,
+        node,
+        lead,
+        loose_sign: input.state.loose_sign.take(),
+    })
 }
 
-/// `name:`, `name=`, `"name":` or, in a declaration, `Type name=`.
+/// `name:`, `name=`, `"name":` or, in a declaration, `Type name=` and `Type name[4]=`.
 fn key_ahead<'t>(input: &Input<'_, 't>) -> Option<(Key<'t>, usize)> {
-    let is_mark = |at: usize| {
-        token_at(input, at)
-            .is_some_and(|token| matches!(token.kind, TokenKind::Colon | TokenKind::Equals))
-    };
-    let named = |at: usize| {
-        let token = token_at(input, at)?;
-        matches!(token.kind, TokenKind::Word | TokenKind::Quoted).then_some(Key {
-            name: token.text,
-            span: token.span,
-        })
-    };
-    let first = named(0)?;
-    if is_mark(1) {
-        return Some((first, 2));
+    let kind = |at: usize| token_at(input, at).map(|token| token.kind);
+    let is_name = |at: usize| matches!(kind(at), Some(TokenKind::Word | TokenKind::Quoted));
+    let names = (0..MOST_WORDS_OF_A_KEY)
+        .take_while(|&at| is_name(at))
+        .count();
+    let name = token_at(input, names.checked_sub(1)?)?;
+    let mut length = names;
+    if names > 1 && kind(length) == Some(TokenKind::Open(Bracket::Square)) {
+        length += 1;
+        if matches!(kind(length), Some(TokenKind::Number(_))) {
+            length += 1;
+        }
+        if kind(length) != Some(TokenKind::Close(Bracket::Square)) {
+            return None;
+        }
+        length += 1;
     }
-    let second = named(1)?;
-    is_mark(2).then_some((second, 3))
+    let key = Key {
+        heading: None,
+        name: name.text,
+        span: name.span,
+    };
+    let is_mark = matches!(kind(length), Some(TokenKind::Colon | TokenKind::Equals));
+    is_mark.then_some((key, length + 1))
 }
 
 fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
@@ -173,11 +195,13 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             break;
         }
         // In a list `1 -2` is two numbers; `1 - 2`, `1-2` and `1- 2` are one.
-        let begins_next_member = input.state.spaces == Spaces::Separate
-            && sign.spacing == Spacing::Apart
-            && token_at(input, 1).is_some_and(|next| next.spacing == Spacing::Adjacent);
-        if begins_next_member {
+        let is_apart = !sign.spacing.is_adjacent();
+        let touches_next = token_at(input, 1).is_some_and(|next| next.spacing.is_adjacent());
+        if input.state.spaces == Spaces::Separate && is_apart && touches_next {
             break;
+        }
+        if input.state.spaces == Spaces::Separate && is_apart {
+            input.state.loose_sign.get_or_insert(sign.span);
         }
         input.next_token();
         let right = product(input)?;
@@ -198,6 +222,13 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
         let result = match next.kind {
             TokenKind::Times | TokenKind::Divide => {
                 input.next_token();
+                // MATLAB prints `1.0e+03 *` above the lines that it multiplies.
+                let line_ends = input
+                    .peek_token()
+                    .is_some_and(|next| next.spacing == Spacing::NextLine);
+                if line_ends {
+                    return stop(Fault::factor_before_line(left.span.to(next.span)));
+                }
                 let right = signed(input)?;
                 let span = left.span.to(right.span);
                 let (first, second) = (value_of(&left)?, value_of(&right)?);
@@ -233,14 +264,19 @@ fn is_degree(word: &str) -> bool {
     matches!(word, "deg" | "degree" | "degrees")
 }
 
-/// `0.38k`, `2pi`, `2√3`, `2(1+1)`: no space between; `sin(pi/8) k`: a unit also after a space.
+/// `0.38k`, `2pi`, `2√3`: no space between. `sin(pi/8) k`, `k sin(pi/8)`: a unit may stand apart.
 fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
-    if !matches!(left.kind, NodeKind::Value(_)) {
+    let NodeKind::Value(value) = left.kind else {
         return false;
-    }
+    };
+    let is_adjacent = next.spacing.is_adjacent();
     match next.kind {
-        TokenKind::Word => next.spacing == Spacing::Adjacent || Linear::unit(next.text).is_some(),
-        TokenKind::Root | TokenKind::Open(Bracket::Round) => next.spacing == Spacing::Adjacent,
+        TokenKind::Word => {
+            is_adjacent
+                || Linear::unit(next.text).is_some()
+                || (value.units.is_some() && Linear::is_known(next.text))
+        }
+        TokenKind::Root => is_adjacent || value.units.is_some(),
         _ => false,
     }
 }
@@ -258,6 +294,12 @@ fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             _ => break,
         };
         input.next_token();
+        let is_loose = input
+            .peek_token()
+            .is_some_and(|next| !next.spacing.is_adjacent());
+        if is_loose && input.state.spaces == Spaces::Separate {
+            input.state.loose_sign.get_or_insert(token.span);
+        }
     }
     let node = atom(input)?;
     let Some((sign, at)) = sign else {
@@ -305,7 +347,14 @@ fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             0 => stop(Fault::unmatched_bracket(token.span, token.text, None)),
             _ => stop(unexpected(&token)),
         },
-        _ => stop(not_finite(token).unwrap_or_else(|| unexpected(&token))),
+        TokenKind::Quoted => match not_finite(token) {
+            Some(fault) => stop(fault),
+            None => Ok(Node {
+                kind: NodeKind::Word(token.text),
+                span: token.span,
+            }),
+        },
+        _ => stop(unexpected(&token)),
     }
 }
 
@@ -333,6 +382,9 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
             span: token.span,
         });
     };
+    if bracket == Bracket::Angle || (Linear::is_function(name) && bracket != Bracket::Round) {
+        return stop(Fault::unknown_word(token.span, name));
+    }
     let Some(opening) = input.next_token() else {
         return stop(Fault::unexpected_end(end_of(input)));
     };
@@ -422,5 +474,5 @@ fn bracketed<'t>(
 
 /// The number that a node stands for, where only a number makes sense.
 fn value_of(node: &Node<'_>) -> Parsed<Linear> {
-    node.value().or_else(stop)
+    node.operand().or_else(stop)
 }

@@ -1,6 +1,6 @@
 //! What the text of a quaternion or a vector is made of, once its arithmetic is done.
 
-use crate::linear::Linear;
+use crate::linear::{Linear, Quantity};
 use crate::messages::Fault;
 use crate::problem::Span;
 
@@ -28,27 +28,43 @@ pub(crate) struct Entry<'t> {
     pub(crate) key: Option<Key<'t>>,
     pub(crate) node: Node<'t>,
     pub(crate) lead: Lead,
+    /// A sign of this member with white space on both sides, where it may mean something else.
+    pub(crate) loose_sign: Option<Span>,
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Key<'t> {
+    /// The label before it, such as `orientation:` above `x: 0`.
+    pub(crate) heading: Option<&'t str>,
     pub(crate) name: &'t str,
     pub(crate) span: Span,
 }
 
-/// Whether a member is the first of its list, begins with a sign, or neither: a sum such as
-/// `0.92 +0.38k` is first read as two members.
+/// What stands before a member: nothing, a comma, only white space and then a sign, or only white
+/// space. A sum such as `0.92 +0.38k` is first read as two members.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Lead {
     First,
+    AfterComma,
     Signed,
     Bare,
 }
 
 impl Node<'_> {
+    /// The value of arithmetic that goes on: a number, a sum of units, or an angle.
+    pub(crate) fn operand(&self) -> Result<Linear, Fault> {
+        match &self.kind {
+            NodeKind::Value(value) => Ok(*value),
+            _ => self.value(),
+        }
+    }
+
     /// The number, or sum of units, that this is; a problem where it is something else.
     pub(crate) fn value(&self) -> Result<Linear, Fault> {
         match &self.kind {
+            NodeKind::Value(value) if value.quantity == Quantity::Angle => {
+                Err(Fault::angle_for_number(self.span))
+            }
             NodeKind::Value(value) => Ok(*value),
             NodeKind::Word(word) | NodeKind::Call { name: word, .. } => {
                 Err(Fault::unknown_word(self.span, word))

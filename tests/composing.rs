@@ -108,6 +108,28 @@ fn turns_that_commute_are_said_to() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn small_turns_about_different_axes_do_not_commute() {
+    // The products differ by 2e-16 in z, which is less than the rounding of their scalar.
+    for (p, q) in [
+        ("1 + 1e-8i", "1 + 1e-8j"),
+        ("1 + 1e-20k", "0 + i"),
+        ("1e200 + 1k", "1e200 + 1i + 1k"),
+    ] {
+        let report = compose(p, q, "1 0 0", Convention::HAMILTON);
+        assert_eq!(report.order_matters, OrderMatters::Yes, "{p} and {q}");
+        assert_eq!(report.products[0].equal_to, [0, 3], "{p} and {q}");
+    }
+    // 1/3 and 2/3 are rounded, and still the axes are parallel.
+    let parallel = compose(
+        "0.3 + i/3 + 0.1j",
+        "1 + 2/3i + 0.2j",
+        "1 0 0",
+        Convention::JPL,
+    );
+    assert_eq!(parallel.order_matters, OrderMatters::No);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn a_product_beyond_a_double_is_that_of_the_unit_quaternions_and_said() {
     let report = compose(
         "1e200 + 1e200k",

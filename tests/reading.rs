@@ -110,7 +110,11 @@ const TOLD: &[(&str, OrderSource)] = &[
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_text_that_tells_its_order_is_read_alike_under_both_declarations() {
-    for (text, source) in TOLD {
+    check_told(TOLD);
+}
+
+fn check_told(texts: &[(&str, OrderSource)]) {
+    for (text, source) in texts {
         for declared in ComponentOrder::ALL {
             let parsed = parse_quaternion(text, Field::Quaternion, declared)
                 .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
@@ -123,6 +127,57 @@ fn a_text_that_tells_its_order_is_read_alike_under_both_declarations() {
             assert_eq!(parsed.order_source, *source, "{text}");
         }
     }
+}
+
+/// A whole message, of which the orientation is taken.
+const POSE_STAMPED: &str = "header:
+  seq: 7
+  stamp:
+    secs: 1
+    nsecs: 2
+  frame_id: \"map\"
+pose:
+  position:
+    x: 1.0
+    y: 2.0
+    z: 3.0
+  orientation:
+    x: 0.1
+    y: -0.2
+    z: 0.38
+    w: 0.92
+--- ";
+
+/// Texts as programs print them, of the same quaternion.
+const PRINTED: &[(&str, OrderSource)] = &[
+    (POSE_STAMPED, OrderSource::Named),
+    (
+        r#"{"position": {"x": 1, "y": 2, "z": 3}, "orientation": {"x": 0.1, "y": -0.2, "z": 0.38, "w": 0.92}}"#,
+        OrderSource::Named,
+    ),
+    (
+        "Quaternion { isQuaternion: true, _x: 0.1, _y: -0.2, _z: 0.38, _w: 0.92 }",
+        OrderSource::Named,
+    ),
+    (
+        "<Quaternion (w=0.9200, x=0.1000, y=-0.2000, z=0.3800)>",
+        OrderSource::Named,
+    ),
+    ("wxyz: 0.92 0.1 -0.2 0.38", OrderSource::Named),
+    ("q_xyzw = [0.1, -0.2, 0.38, 0.92]", OrderSource::Named),
+    (
+        "Gf.Quatd(0.92, Gf.Vec3d(0.1, -0.2, 0.38))",
+        OrderSource::Grouped,
+    ),
+    (
+        "Quaternion.from_wxyz(array([0.92, 0.1, -0.2, 0.38], dtype=float32))",
+        OrderSource::Constructor,
+    ),
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_programs_print_is_read_alike_under_both_declarations() {
+    check_told(PRINTED);
 }
 
 /// Texts of four bare numbers a, b, c, d = 0.92, 0.1, -0.2, 0.38, in that order.
@@ -143,6 +198,10 @@ const BARE: &[&str] = &[
     "92e-2 +.1 −0.2 38.e-2",
     "0.92_f64, 0.1f32, -0.2f, 0.38F",
     "0.92 0.1 -0.2 0.38 # w x y z",
+    "/* w */ 0.92, /* x */ 0.1, -0.2, 0.38",
+    "double q[4] = {0.92, 0.1, -0.2, 0.38};",
+    "array([0.92, 0.1, -0.2, 0.38], dtype=float32)",
+    "<0.92, 0.1, -0.2, 0.38>",
     "46/50 1/10 -1/5 19/50",
     "1 - 0.08, 0.1, 0.3 - 0.5, 0.38",
 ];
@@ -170,6 +229,12 @@ fn arithmetic_is_computed() {
         ("cos(pi/8) + sin(pi/8) k", [COS, 0.0, 0.0, SIN]),
         ("sin(pi/8)k+cos(pi/8)", [COS, 0.0, 0.0, SIN]),
         ("cos(22.5°) + sin(22.5 deg) k", [COS, 0.0, 0.0, SIN]),
+        ("k sin(pi/8) + cos(pi/8)", [COS, 0.0, 0.0, SIN]),
+        ("cos(np.deg2rad(22.5)) + k √½ √½", [COS, 0.0, 0.0, 0.5]),
+        (
+            "Math.SQRT1_2 0 0 -M_SQRT1_2",
+            [HALF_ROOT, 0.0, 0.0, -HALF_ROOT],
+        ),
         (
             "Math.cos(Math.PI/8), 0, 0, Math.sin(Math.PI/8)",
             [COS, 0.0, 0.0, SIN],
@@ -177,7 +242,7 @@ fn arithmetic_is_computed() {
         ("1/sqrt(2) - i/2 - j/2", [HALF_ROOT, -0.5, -0.5, 0.0]),
         ("1/√2 − ½i − √2√2/4 j", [HALF_ROOT, -0.5, -0.5, 0.0]),
         ("√½ 0 0 −√½", [HALF_ROOT, 0.0, 0.0, -HALF_ROOT]),
-        ("√(1/2) 0 -(1/2) 1 - 2/4", [HALF_ROOT, 0.0, -0.5, 0.5]),
+        ("√(1/2) 0 -(1/2) 1-2/4", [HALF_ROOT, 0.0, -0.5, 0.5]),
         (
             "sqrt(1 -0.5) --0 2*-.25 +(1-0.5)",
             [HALF_ROOT, 0.0, -0.5, 0.5],
@@ -210,6 +275,9 @@ fn vectors_come_in_the_same_forms() {
         "i - 2j + k/2",
         "Eigen::Vector3d v(1, -2, 0.5);",
         "np.array([1, -2, 0.5])",
+        "x = [1, -2, 0.5]",
+        "x = 1 -2 0.5",
+        "v: [1, -2, 0.5]",
     ];
     for text in texts {
         let vector = parse_vector(text, Field::Vector)

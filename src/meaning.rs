@@ -1,0 +1,420 @@
+//! Members of a text to named components: which number is the scalar, and what is no quaternion.
+
+use crate::constructor::{self, Call};
+use crate::convention::ComponentOrder;
+use crate::linear::Linear;
+use crate::messages::{Fault, Wanted};
+use crate::problem::{Span, shorten};
+use crate::report::OrderSource;
+use crate::tree::{Entry, Key, Lead, Node, NodeKind};
+use nalgebra::{Quaternion, Vector3};
+use std::borrow::Cow;
+
+/// Four finite numbers, and how the text told which is which.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedQuaternion {
+    /// The components by name.
+    pub quaternion: Quaternion<f64>,
+    /// The order that was used: the text's own, or else the declared one.
+    pub order: ComponentOrder,
+    /// How that order was told.
+    pub order_source: OrderSource,
+    /// The name of a call that is not known here, so that its order is only assumed.
+    pub unknown_constructor: Option<String>,
+}
+
+/// How much of an unknown constructor's name a note repeats, in characters.
+const LONGEST_NAME: usize = 40;
+
+/// What is known of the order so far, on the way from the outer brackets to the inner ones.
+#[derive(Clone)]
+struct Order {
+    declared: ComponentOrder,
+    order: ComponentOrder,
+    source: OrderSource,
+    unknown_constructor: Option<String>,
+}
+
+impl Order {
+    fn told(&self, order: ComponentOrder, source: OrderSource) -> Self {
+        Self {
+            declared: self.declared,
+            order,
+            source,
+            unknown_constructor: None,
+        }
+    }
+
+    /// Names have no order of their own, so the declared one stands.
+    fn by_names(&self) -> Self {
+        self.told(self.declared, OrderSource::Named)
+    }
+
+    fn unknown(self, name: &str) -> Self {
+        let first = self.unknown_constructor.clone();
+        Self {
+            unknown_constructor: first.or_else(|| Some(shorten(name, LONGEST_NAME))),
+            ..self
+        }
+    }
+
+    fn with(self, quaternion: Quaternion<f64>) -> ParsedQuaternion {
+        ParsedQuaternion {
+            quaternion,
+            order: self.order,
+            order_source: self.source,
+            unknown_constructor: self.unknown_constructor,
+        }
+    }
+}
+
+/// Whether members stand in a call, where a vector and a number are an axis and an angle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Open,
+    InCall,
+}
+
+pub(crate) fn quaternion(
+    entries: &[Entry<'_>],
+    span: Span,
+    declared: ComponentOrder,
+) -> Result<ParsedQuaternion, Fault> {
+    let order = Order {
+        declared,
+        order: declared,
+        source: OrderSource::Declared,
+        unknown_constructor: None,
+    };
+    read_quaternion(entries, span, order, Place::Open)
+}
+
+fn read_quaternion(
+    entries: &[Entry<'_>],
+    span: Span,
+    order: Order,
+    place: Place,
+) -> Result<ParsedQuaternion, Fault> {
+    if let Some(node) = orientation(entries) {
+        return read_members(node, order, place);
+    }
+    let (entries, label) = without_label(entries, Wanted::Quaternion);
+    let order = match label {
+        Some(label) if constructor::is_other_label(label.name) => {
+            return Err(Fault::not_applied(
+                label.span,
+                label.name,
+                Wanted::Quaternion,
+            ));
+        }
+        Some(label) => match constructor::order_in_name(label.name) {
+            Some(named) => order.told(named, OrderSource::Named),
+            None => order,
+        },
+        None => order,
+    };
+    if let [only] = &entries[..]
+        && only.key.is_none()
+        && matches!(only.node.kind, NodeKind::List(_) | NodeKind::Call { .. })
+    {
+        return read_members(&only.node, order, place);
+    }
+    if entries.iter().any(|entry| entry.key.is_some()) {
+        let [w, x, y, z] = named(&entries, span, Wanted::Quaternion)?;
+        return Ok(order.by_names().with(Quaternion::new(w, x, y, z)));
+    }
+    if let [first, second] = &entries[..] {
+        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, triple(&second.node)) {
+            let part = vector(inner, second.node.span)?;
+            return Ok(order
+                .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
+                .with(Quaternion::from_parts(first.node.real()?, part)));
+        }
+        if let (Some(inner), NodeKind::Value(_)) = (triple(&first.node), &second.node.kind) {
+            if place == Place::InCall {
+                return Err(Fault::axis_and_angle(span));
+            }
+            let part = vector(inner, first.node.span)?;
+            return Ok(order
+                .told(ComponentOrder::ScalarLast, OrderSource::Grouped)
+                .with(Quaternion::from_parts(second.node.real()?, part)));
+        }
+    }
+    let values = values(&entries)?;
+    if let Some(sum) = sum_of_members(&entries, &values)? {
+        let [x, y, z] = sum.units.unwrap_or_default();
+        let quaternion = Quaternion::new(sum.scalar, x, y, z);
+        return Ok(order.by_names().with(quaternion));
+    }
+    let [a, b, c, d] = numbers(&entries, &values, span, Wanted::Quaternion)?;
+    let quaternion = match order.order {
+        ComponentOrder::ScalarFirst => Quaternion::new(a, b, c, d),
+        ComponentOrder::ScalarLast => Quaternion::new(d, a, b, c),
+    };
+    Ok(order.with(quaternion))
+}
+
+/// What stands in the brackets of a list or a call.
+fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQuaternion, Fault> {
+    let (name, arguments) = match &node.kind {
+        NodeKind::List(inner) => return read_quaternion(inner, node.span, order, place),
+        NodeKind::Call { name, arguments } => (name, arguments),
+        NodeKind::Value(_) | NodeKind::Word(_) => {
+            return Err(Fault::wrong_count(node.span, Wanted::Quaternion, 1));
+        }
+    };
+    let order = match (scalar_first_argument(arguments), constructor::call(name)) {
+        (_, Call::Other | Call::Vector) => {
+            return Err(Fault::not_applied(node.span, name, Wanted::Quaternion));
+        }
+        (Some(named), _) | (None, Call::Ordered(named)) => {
+            order.told(named, OrderSource::Constructor)
+        }
+        (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
+        (None, Call::Unordered | Call::Container) => order,
+    };
+    let members: Vec<_> = arguments
+        .iter()
+        .filter(|entry| !is_option(entry))
+        .cloned()
+        .collect();
+    read_quaternion(&members, node.span, order, Place::InCall)
+}
+
+/// `scalar_first=True`, as in `SciPy`'s `from_quat`.
+fn scalar_first_argument(arguments: &[Entry<'_>]) -> Option<ComponentOrder> {
+    arguments
+        .iter()
+        .find(|entry| entry.key.is_some_and(|key| key.name == "scalar_first"))
+        .map(|entry| match entry.node.kind {
+            NodeKind::Word("True" | "true") => ComponentOrder::ScalarFirst,
+            _ => ComponentOrder::ScalarLast,
+        })
+}
+
+/// A named member that is no number, such as `dtype=float32` or `frame_id: "map"`.
+fn is_option(entry: &Entry<'_>) -> bool {
+    let is_component = |key: Key<'_>| component(key.name).is_some();
+    matches!(entry.node.kind, NodeKind::Word(_)) && entry.key.is_some_and(|key| !is_component(key))
+}
+
+/// Names of that part of a message which is the quaternion, or holds it.
+const ORIENTATIONS: [&str; 6] = [
+    "orientation",
+    "rotation",
+    "quaternion",
+    "quat",
+    "pose",
+    "transform",
+];
+
+/// The part of several named ones that is the orientation, as in JSON of a pose.
+fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+    let found = entries.iter().find(|entry| {
+        matches!(entry.node.kind, NodeKind::List(_))
+            && entry
+                .key
+                .is_some_and(|key| ORIENTATIONS.contains(&key.name))
+    });
+    found.filter(|_| entries.len() > 1).map(|entry| &entry.node)
+}
+
+/// The three numbers of a vector part: in brackets, or in a call that makes a vector.
+fn triple<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
+    match &node.kind {
+        NodeKind::List(inner) => Some(inner),
+        NodeKind::Call { name, arguments } => {
+            let holds = matches!(constructor::call(name), Call::Vector | Call::Container);
+            holds.then_some(arguments)
+        }
+        NodeKind::Value(_) | NodeKind::Word(_) => None,
+    }
+}
+
+pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
+    let (entries, label) = without_label(entries, Wanted::Vector);
+    if let Some(label) = label
+        && constructor::is_other_label(label.name)
+    {
+        return Err(Fault::not_applied(label.span, label.name, Wanted::Vector));
+    }
+    if let [only] = &entries[..]
+        && only.key.is_none()
+    {
+        match (&only.node.kind, triple(&only.node)) {
+            (_, Some(inner)) => {
+                let members: Vec<_> = inner
+                    .iter()
+                    .filter(|entry| !is_option(entry))
+                    .cloned()
+                    .collect();
+                return vector(&members, only.node.span);
+            }
+            (NodeKind::Call { name, .. }, None) => {
+                return Err(Fault::not_applied(only.node.span, name, Wanted::Vector));
+            }
+            _ => {}
+        }
+    }
+    if entries.iter().any(|entry| entry.key.is_some()) {
+        let [_, x, y, z] = named(&entries, span, Wanted::Vector)?;
+        return Ok(Vector3::new(x, y, z));
+    }
+    let values = values(&entries)?;
+    if let Some(sum) = sum_of_members(&entries, &values)? {
+        if sum.scalar != 0.0 {
+            return Err(Fault::scalar_in_vector(span));
+        }
+        return Ok(sum.units.unwrap_or_default().into());
+    }
+    numbers(&entries, &values, span, Wanted::Vector).map(|xyz: [f64; 3]| xyz.into())
+}
+
+/// The members without the name of the whole, as in `q = 0.92 + 0.38k`, and that name.
+///
+/// In the field of a vector `x = [1, 0, 0]` and `x = 1 0 0` name the whole as well.
+fn without_label<'e, 't>(
+    entries: &'e [Entry<'t>],
+    wanted: Wanted,
+) -> (Cow<'e, [Entry<'t>]>, Option<Key<'t>>) {
+    let label = match entries {
+        [first, rest @ ..] if rest.iter().all(|entry| entry.key.is_none()) => {
+            first.key.filter(|key| {
+                let holds_all =
+                    matches!(first.node.kind, NodeKind::List(_) | NodeKind::Call { .. })
+                        || rest.len() + 1 == Wanted::Vector.count();
+                component(key.name).is_none() || (wanted == Wanted::Vector && holds_all)
+            })
+        }
+        _ => None,
+    };
+    let mut entries = Cow::Borrowed(entries);
+    if label.is_some() {
+        entries.to_mut()[0].key = None;
+    }
+    (entries, label)
+}
+
+const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
+
+/// The place of a component in `[w, x, y, z]`, by any of its names.
+fn component(name: &str) -> Option<usize> {
+    let name = name.rsplit(['.', ':']).next().unwrap_or(name);
+    Some(match name.to_ascii_lowercase().as_str() {
+        "w" | "qw" | "q_w" | "_w" => 0,
+        "x" | "qx" | "q_x" | "_x" => 1,
+        "y" | "qy" | "q_y" | "_y" => 2,
+        "z" | "qz" | "q_z" | "_z" => 3,
+        _ => return None,
+    })
+}
+
+fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
+    let entries = of_one_value(entries)?;
+    let mut found = [None; 4];
+    for entry in entries.iter().filter(|entry| !is_option(entry)) {
+        let Some(key) = entry.key else {
+            return Err(Fault::mixed_names(entry.node.span));
+        };
+        let Some(place) = component(key.name) else {
+            return Err(Fault::unknown_component(key.span, wanted, key.name));
+        };
+        let whole = key.span.to(entry.node.span);
+        if place == 0 && wanted == Wanted::Vector {
+            return Err(Fault::scalar_in_vector(whole));
+        }
+        if found[place].replace(entry.node.real()?).is_some() {
+            return Err(Fault::duplicate_component(whole, COMPONENT_NAMES[place]));
+        }
+    }
+    let missing: Vec<_> = (4 - wanted.count()..4)
+        .filter(|&place| found[place].is_none())
+        .map(|place| COMPONENT_NAMES[place])
+        .collect();
+    if !missing.is_empty() {
+        return Err(Fault::missing_component(span, wanted, &missing));
+    }
+    Ok(found.map(Option::unwrap_or_default))
+}
+
+/// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
+/// several apart: those of the orientation, or a problem where none is.
+fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
+    let path = |key: Key<'t>| {
+        key.name
+            .rsplit_once(['.', ':'])
+            .map_or("", |(path, _)| path)
+    };
+    let starts = |at: usize| {
+        let Some(key) = entries[at].key else {
+            return false;
+        };
+        let before = at.checked_sub(1).and_then(|before| entries[before].key);
+        key.heading.is_some() || before.is_some_and(|before| path(before) != path(key))
+    };
+    let bounds: Vec<usize> = std::iter::once(0)
+        .chain((1..entries.len()).filter(|&at| starts(at)))
+        .chain([entries.len()])
+        .collect();
+    let mut groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
+    if bounds.len() == 2 {
+        return Ok(entries);
+    }
+    let is_orientation = |group: &&[Entry<'t>]| {
+        let key = group.first().and_then(|entry| entry.key);
+        key.is_some_and(|key| {
+            let heading = key.heading.unwrap_or_else(|| path(key));
+            let last = heading.rsplit(['.', ':']).next().unwrap_or(heading);
+            ORIENTATIONS.contains(&last)
+        })
+    };
+    let second = bounds[1];
+    groups
+        .find(is_orientation)
+        .ok_or_else(|| Fault::several_values(entries[second].node.span))
+}
+
+fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
+    entries
+        .iter()
+        .map(|entry| Ok((entry.node.value()?, entry.node.span)))
+        .collect()
+}
+
+/// As many plain numbers as are wanted.
+fn numbers<const COUNT: usize>(
+    entries: &[Entry<'_>],
+    values: &[(Linear, Span)],
+    span: Span,
+    wanted: Wanted,
+) -> Result<[f64; COUNT], Fault> {
+    let spaces_separate = entries
+        .iter()
+        .any(|entry| matches!(entry.lead, Lead::Signed | Lead::Bare));
+    if spaces_separate && let Some(sign) = entries.iter().find_map(|entry| entry.loose_sign) {
+        return Err(Fault::loose_sign(sign));
+    }
+    let numbers: Vec<_> = values.iter().map(|(value, _)| value.scalar).collect();
+    numbers
+        .try_into()
+        .map_err(|found: Vec<f64>| Fault::wrong_count(span, wanted, found.len()))
+}
+
+/// The sum of members such as `0.92` and `+0.38k`, which a list reads apart; `None` where there is
+/// no unit.
+fn sum_of_members(
+    entries: &[Entry<'_>],
+    values: &[(Linear, Span)],
+) -> Result<Option<Linear>, Fault> {
+    if values.iter().all(|(value, _)| value.units.is_none()) {
+        return Ok(None);
+    }
+    let mut sum = Linear::real(0.0);
+    for (entry, &(value, span)) in entries.iter().zip(values) {
+        if matches!(entry.lead, Lead::Bare | Lead::AfterComma) {
+            return Err(Fault::missing_sign(span));
+        }
+        sum = sum.plus(value, span)?;
+    }
+    Ok(Some(sum))
+}

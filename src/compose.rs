@@ -117,7 +117,8 @@ const fn frames(direction: Direction) -> [Frame; 3] {
     }
 }
 
-/// Whether p∘q and q∘p differ, for norm 1: they differ by 2 p_v × q_v, and p∘q = −q∘p means that
+/// Whether p∘q and q∘p differ, for norm 1: they differ by twice the cross product of their
+/// vector parts, and p∘q = −q∘p means that
 /// both scalars are 0 and the axes perpendicular. Tested on the factors, since a small difference
 /// drowns in the rounding of the products.
 fn order_matters(p: &Quaternion<f64>, q: &Quaternion<f64>) -> OrderMatters {

@@ -53,10 +53,14 @@ mod lex;
 mod linear;
 // The members that a text consists of.
 mod tree;
+// The tokens on their way through the grammar.
+mod input;
 // Tokens to a tree.
 mod syntax;
 // What a call does with its numbers.
 mod constructor;
+// Members with names.
+mod names;
 // Members to named components.
 mod meaning;
 /// Text to numbers.

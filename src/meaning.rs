@@ -3,8 +3,9 @@
 use crate::constructor::{self, Call};
 use crate::convention::ComponentOrder;
 use crate::linear::Linear;
-use crate::messages::{Fault, Wanted};
-use crate::problem::{Span, shorten};
+use crate::messages::Fault;
+use crate::names::{ORIENTATIONS, component, is_option, named};
+use crate::problem::{Span, Wanted, shorten};
 use crate::report::OrderSource;
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
 use nalgebra::{Quaternion, Vector3};
@@ -192,22 +193,6 @@ fn scalar_first_argument(arguments: &[Entry<'_>]) -> Option<ComponentOrder> {
         })
 }
 
-/// A named member that is no number, such as `dtype=float32` or `frame_id: "map"`.
-fn is_option(entry: &Entry<'_>) -> bool {
-    let is_component = |key: Key<'_>| component(key.name).is_some();
-    matches!(entry.node.kind, NodeKind::Word(_)) && entry.key.is_some_and(|key| !is_component(key))
-}
-
-/// Names of that part of a message which is the quaternion, or holds it.
-const ORIENTATIONS: [&str; 6] = [
-    "orientation",
-    "rotation",
-    "quaternion",
-    "quat",
-    "pose",
-    "transform",
-];
-
 /// The part of several named ones that is the orientation, as in JSON of a pose.
 fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
     let found = entries.iter().find(|entry| {
@@ -293,85 +278,6 @@ fn without_label<'e, 't>(
         entries.to_mut()[0].key = None;
     }
     (entries, label)
-}
-
-const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
-
-/// The place of a component in `[w, x, y, z]`, by any of its names.
-fn component(name: &str) -> Option<usize> {
-    let name = name.rsplit(['.', ':']).next().unwrap_or(name);
-    Some(match name.to_ascii_lowercase().as_str() {
-        "w" | "qw" | "q_w" | "_w" => 0,
-        "x" | "qx" | "q_x" | "_x" => 1,
-        "y" | "qy" | "q_y" | "_y" => 2,
-        "z" | "qz" | "q_z" | "_z" => 3,
-        _ => return None,
-    })
-}
-
-fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
-    let entries = of_one_value(entries)?;
-    let mut found = [None; 4];
-    for entry in entries.iter().filter(|entry| !is_option(entry)) {
-        let Some(key) = entry.key else {
-            return Err(Fault::mixed_names(entry.node.span));
-        };
-        let Some(place) = component(key.name) else {
-            return Err(Fault::unknown_component(key.span, wanted, key.name));
-        };
-        let whole = key.span.to(entry.node.span);
-        if place == 0 && wanted == Wanted::Vector {
-            return Err(Fault::scalar_in_vector(whole));
-        }
-        if found[place].replace(entry.node.real()?).is_some() {
-            return Err(Fault::duplicate_component(whole, COMPONENT_NAMES[place]));
-        }
-    }
-    let missing: Vec<_> = (4 - wanted.count()..4)
-        .filter(|&place| found[place].is_none())
-        .map(|place| COMPONENT_NAMES[place])
-        .collect();
-    if !missing.is_empty() {
-        return Err(Fault::missing_component(span, wanted, &missing));
-    }
-    Ok(found.map(Option::unwrap_or_default))
-}
-
-/// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
-/// several apart: those of the orientation, or a problem where none is.
-fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
-    let path = |key: Key<'t>| {
-        key.name
-            .rsplit_once(['.', ':'])
-            .map_or("", |(path, _)| path)
-    };
-    let starts = |at: usize| {
-        let Some(key) = entries[at].key else {
-            return false;
-        };
-        let before = at.checked_sub(1).and_then(|before| entries[before].key);
-        key.heading.is_some() || before.is_some_and(|before| path(before) != path(key))
-    };
-    let bounds: Vec<usize> = std::iter::once(0)
-        .chain((1..entries.len()).filter(|&at| starts(at)))
-        .chain([entries.len()])
-        .collect();
-    let mut groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
-    if bounds.len() == 2 {
-        return Ok(entries);
-    }
-    let is_orientation = |group: &&[Entry<'t>]| {
-        let key = group.first().and_then(|entry| entry.key);
-        key.is_some_and(|key| {
-            let heading = key.heading.unwrap_or_else(|| path(key));
-            let last = heading.rsplit(['.', ':']).next().unwrap_or(heading);
-            ORIENTATIONS.contains(&last)
-        })
-    };
-    let second = bounds[1];
-    groups
-        .find(is_orientation)
-        .ok_or_else(|| Fault::several_values(entries[second].node.span))
 }
 
 fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {

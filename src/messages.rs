@@ -1,48 +1,9 @@
 //! The sentence of every problem, in one place: what is wrong, what was expected, what to try.
 
-use crate::problem::{Field, Problem, ProblemCode, Span, shorten};
+use crate::problem::{Field, Problem, ProblemCode, Span, Wanted, shorten};
 
 /// How many characters of the user's own text a message repeats.
 const QUOTED_CHARACTERS: usize = 24;
-
-/// What a text is meant to hold, which decides the examples in its messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
-    Quaternion,
-    Vector,
-}
-
-impl Wanted {
-    pub(crate) const fn count(self) -> usize {
-        match self {
-            Self::Quaternion => 4,
-            Self::Vector => 3,
-        }
-    }
-
-    const fn in_words(self) -> &'static str {
-        match self {
-            Self::Quaternion => {
-                "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k"
-            }
-            Self::Vector => "a vector: three numbers, or named components x, y and z",
-        }
-    }
-
-    const fn example(self) -> &'static str {
-        match self {
-            Self::Quaternion => "1/sqrt(2) 0 0 1/sqrt(2)",
-            Self::Vector => "1 0 0",
-        }
-    }
-
-    const fn names(self) -> &'static str {
-        match self {
-            Self::Quaternion => "w, x, y and z",
-            Self::Vector => "x, y and z",
-        }
-    }
-}
 
 /// A problem before it knows which text it stands in.
 #[derive(Clone, Debug, PartialEq)]

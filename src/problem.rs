@@ -249,6 +249,45 @@ impl Problem {
     }
 }
 
+/// What a text is meant to hold, which decides the examples in its messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    Quaternion,
+    Vector,
+}
+
+impl Wanted {
+    pub(crate) const fn count(self) -> usize {
+        match self {
+            Self::Quaternion => 4,
+            Self::Vector => 3,
+        }
+    }
+
+    pub(crate) const fn in_words(self) -> &'static str {
+        match self {
+            Self::Quaternion => {
+                "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k"
+            }
+            Self::Vector => "a vector: three numbers, or named components x, y and z",
+        }
+    }
+
+    pub(crate) const fn example(self) -> &'static str {
+        match self {
+            Self::Quaternion => "1/sqrt(2) 0 0 1/sqrt(2)",
+            Self::Vector => "1 0 0",
+        }
+    }
+
+    pub(crate) const fn names(self) -> &'static str {
+        match self {
+            Self::Quaternion => "w, x, y and z",
+            Self::Vector => "x, y and z",
+        }
+    }
+}
+
 /// The first `most` characters of a text, with an ellipsis where some were left out.
 pub(crate) fn shorten(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {

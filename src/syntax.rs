@@ -2,12 +2,15 @@
 //!
 //! The grammar is in the documentation of [`parse`](mod@crate::parse).
 
+use crate::input::{
+    Input, Parsed, Spaces, State, Stop, computed, end_of, stop, token_at, unexpected,
+};
 use crate::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
-use winnow::error::{ErrMode, ParserError};
+use winnow::error::ErrMode;
 use winnow::prelude::*;
 use winnow::stream::Stateful;
 use winnow::token::any;
@@ -38,80 +41,6 @@ pub(crate) fn entries<'t>(tokens: &[Token<'t>], text: &str) -> Result<Vec<Entry<
             _ => unexpected(&token),
         }),
     }
-}
-
-type Input<'s, 't> = Stateful<&'s [Token<'t>], State>;
-type Parsed<T> = Result<T, ErrMode<Stop>>;
-
-#[derive(Clone, Debug)]
-struct State {
-    text_end: usize,
-    depth: usize,
-    spaces: Spaces,
-    loose_sign: Option<Span>,
-}
-
-/// Whether white space separates numbers, as in a list, or not, as in a function's argument.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Spaces {
-    Separate,
-    Ignored,
-}
-
-/// Why reading stopped: a fault with its sentence.
-#[derive(Clone, Debug)]
-struct Stop(Option<Fault>);
-
-impl Stop {
-    fn into_fault(error: ErrMode<Self>) -> Fault {
-        error
-            .into_inner()
-            .ok()
-            .and_then(|stop| stop.0)
-            .unwrap_or_else(|| Fault::unexpected_end(Span::default()))
-    }
-}
-
-impl<'s, 't> ParserError<Input<'s, 't>> for Stop {
-    type Inner = Self;
-
-    fn from_input(input: &Input<'s, 't>) -> Self {
-        Self(Some(match input.peek_token() {
-            Some(token) => unexpected(&token),
-            None => Fault::unexpected_end(end_of(input)),
-        }))
-    }
-
-    fn into_inner(self) -> Result<Self::Inner, Self> {
-        Ok(self)
-    }
-}
-
-fn stop<T>(fault: Fault) -> Parsed<T> {
-    Err(ErrMode::Cut(Stop(Some(fault))))
-}
-
-fn computed<'t>(value: Result<Linear, Fault>, span: Span) -> Parsed<Node<'t>> {
-    match value {
-        Ok(value) => Ok(Node {
-            kind: NodeKind::Value(value),
-            span,
-        }),
-        Err(fault) => stop(fault),
-    }
-}
-
-fn unexpected(token: &Token<'_>) -> Fault {
-    Fault::unexpected(token.span, token.text)
-}
-
-/// The empty place where the text ends.
-fn end_of(input: &Input<'_, '_>) -> Span {
-    Span::from(input.state.text_end..input.state.text_end)
-}
-
-fn token_at<'t>(input: &Input<'_, 't>, offset: usize) -> Option<Token<'t>> {
-    input.input.get(offset).copied()
 }
 
 /// Members until the end of the text or a closing bracket.

@@ -41,6 +41,8 @@ function keepAddress(store: ReturnType<typeof createStore>) {
     history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
   };
   addEventListener("pagehide", write);
+  // A link leaves a history entry behind: it must hold what was typed just before.
+  addEventListener("click", write, { capture: true });
   addEventListener("hashchange", () => {
     clearTimeout(pending);
     store.open(location.hash);

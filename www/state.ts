@@ -11,8 +11,8 @@ import type {
   Request,
 } from "./engine.ts";
 
-/** How a result relates to the texts above it. */
-export type Freshness = "current" | "old";
+/** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
+export type Freshness = "current" | "old" | "opening";
 
 export interface Shown<Report> {
   report: Report;
@@ -87,16 +87,19 @@ function lastGood<Good extends Answer>(
   isGood: (outcome: Answer) => outcome is Good,
 ) {
   let last: Good | undefined;
+  let freshness: Freshness = "old";
   return computed<Shown<Good> | undefined>(() => {
     const outcome = now();
     if (isGood(outcome)) {
       last = outcome;
+      freshness = "old";
       return { report: outcome, freshness: "current" };
     }
     if (last === undefined) {
       const example = first();
       if (isGood(example)) last = example;
+      freshness = "opening";
     }
-    return last && { report: last, freshness: "old" };
+    return last && { report: last, freshness };
   });
 }

@@ -103,7 +103,7 @@ test("an error keeps the last good result, says where it is, and is recovered fr
   await expect(page.locator("mark")).toHaveText("oops");
   await expect(page.getByText("What stands below is the last result")).toBeVisible();
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
-  await expect(page.getByRole("status")).toHaveText(/^Problem: oops is not a number/);
+  await expect(page.getByRole("status")).toHaveText(/^Problem in q: oops is not a number/);
 
   for (const _ of " oops") await page.keyboard.press("Backspace");
   await expect(field).toHaveAttribute("aria-invalid", "false");
@@ -134,7 +134,7 @@ test("reloading the address gives the same page", async ({ page }) => {
 test("an address with a problem opens on the example, marked as such", async ({ page }) => {
   await page.goto("/#read?quaternion=1+2+3");
   await expect(page.getByText("q: 3 numbers in place of 4.", { exact: true })).toBeVisible();
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(page.getByText("What stands below is the example")).toBeVisible();
   await expect(matrix(page, "R(q)")).toBeVisible();
 });
 
@@ -155,12 +155,39 @@ test("composes by keyboard: four products, equal ones tied", async ({ page }) =>
   await expect(page).toHaveURL(/#compose\?/);
 });
 
-test("going back returns to the view before", async ({ page }) => {
+test("going back returns to the view before, with what was typed", async ({ page }) => {
   await page.goto("/");
+  await quaternionField(page).fill("4 3 2 1");
   await page.getByRole("link", { name: "Compose" }).click();
   await expect(page.getByRole("textbox", { name: "quaternion p" })).toBeVisible();
   await page.goBack();
-  await expect(quaternionField(page)).toBeVisible();
+  await expect(quaternionField(page)).toHaveValue("4 3 2 1");
+  // An example can be left the same way.
+  await page.getByRole("link", { name: "A ROS message" }).click();
+  await expect(quaternionField(page)).toHaveValue(/^x: 0\.0/);
+  await page.goBack();
+  await expect(quaternionField(page)).toHaveValue("4 3 2 1");
+});
+
+test("an old result keeps the convention that it was declared in", async ({ page }) => {
+  await page.goto("/#read?quaternion=0+0+0.6+0.8");
+  await quaternionField(page).fill("0 0 0.6 x");
+  await page.getByRole("radio", { name: /^JPL/ }).check();
+  const hamilton = page.getByRole("region", { name: "Hamilton" });
+  await expect(hamilton.getByText("as declared")).toBeVisible();
+});
+
+test("the result does not move while a text is typed", async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 900 });
+  await page.goto("/");
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  const top = () => page.locator(".result").evaluate((node) => node.getBoundingClientRect().top);
+  const before = await top();
+  const field = quaternionField(page);
+  for (const text of ["", "1", "1 0 0 0", "0.5 0.5 0.5 0.4", "-0.1 0.2 0.3 oops", "1/0 0 0 1"]) {
+    await field.fill(text);
+    expect(await top(), text).toBe(before);
+  }
 });
 
 test("a copy has every digit, whatever is shown", async ({ page, context }) => {
@@ -219,8 +246,10 @@ for (const colorScheme of ["light", "dark"] as const) {
   }
 }
 
+const longName = `/#read?quaternion=${"a_long_name_of_a_".repeat(12)}Quaternion(1,2,3,4)`;
+const addresses = ["/", "/#compose", "/#read?digits=all", "/#compose?digits=all", longName];
 for (const width of [360, 768, 1280]) {
-  for (const address of ["/", "/#compose", "/#read?digits=all", "/#compose?digits=all"]) {
+  for (const address of addresses) {
     test(`no sideways scroll at ${width} px: ${address}`, async ({ page }) => {
       await page.setViewportSize({ width, height: 800 });
       await page.goto(address);
@@ -246,6 +275,8 @@ test("the page serves the optimised wasm of the build, and explains itself witho
   const context = await browser.newContext({ javaScriptEnabled: false });
   const plain = await context.newPage();
   await plain.goto(page.url());
-  await expect(plain.getByText("The same four numbers are two different products")).toBeVisible();
+  await expect(
+    plain.getByText("The same four numbers live under two different products"),
+  ).toBeVisible();
   await context.close();
 });

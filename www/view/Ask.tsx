@@ -1,9 +1,9 @@
 // What is asked: text fields, the declared convention, the digits shown.
 import type { ComponentChildren } from "preact";
-import { useId } from "preact/hooks";
+import { useId, useRef } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
-import type { Store } from "../state.ts";
+import type { Freshness, Store } from "../state.ts";
 
 interface TextFieldProps {
   store: Store;
@@ -18,6 +18,7 @@ interface TextFieldProps {
 /** A field for text in any form, with the place of a problem marked in the text itself. */
 export function TextField({ store, field, symbol, label, size, text, onText }: TextFieldProps) {
   const id = useId();
+  const mirror = useRef<HTMLPreElement>(null);
   const problem = store.problemOf(field);
   return (
     <div class={`field field-${size}`}>
@@ -27,7 +28,7 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
           <var>{symbol}</var>
         </label>
         <div class="field-text">
-          <pre class="field-mirror" aria-hidden="true">
+          <pre class="field-mirror" aria-hidden="true" ref={mirror}>
             {problem ? <Marked text={text} problem={problem} /> : text}
             {"\n"}
           </pre>
@@ -42,6 +43,9 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
             aria-invalid={problem !== undefined}
             aria-describedby={problem && problemId(field)}
             onInput={(event) => onText(event.currentTarget.value)}
+            onScroll={(event) => {
+              if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
+            }}
           />
         </div>
       </div>
@@ -73,10 +77,13 @@ const problemId = (field: Field) => `problem-${field}`;
 export function AskStatus({
   store,
   fields,
+  freshness,
   children,
 }: {
   store: Store;
   fields: readonly { field: Field; symbol: string }[];
+  /** Of the result below. */
+  freshness: Freshness | undefined;
   children: ComponentChildren;
 }) {
   const found = fields.flatMap(({ field, symbol }) => {
@@ -99,7 +106,11 @@ export function AskStatus({
             </div>
           ))}
       {found.length > 0 && (
-        <p class="old-result">What stands below is the last result, from before this problem.</p>
+        <p class="old-result">
+          {freshness === "opening"
+            ? "What stands below is the example that the page opens with."
+            : "What stands below is the last result, from before this problem."}
+        </p>
       )}
     </div>
   );

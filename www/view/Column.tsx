@@ -1,7 +1,6 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
 import type { Digits, Preset } from "../address.ts";
 import type { Column } from "../engine.ts";
-import { shown } from "../format.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 import { wordsOf } from "./words.ts";
 
@@ -9,13 +8,11 @@ export function ConventionColumn({
   preset,
   declared,
   column,
-  norm,
   digits,
 }: {
   preset: Preset;
   declared: Preset;
   column: Column;
-  norm: number | undefined;
   digits: Digits;
 }) {
   const words = wordsOf[preset];
@@ -37,6 +34,7 @@ export function ConventionColumn({
       </header>
       <ComponentStrip
         symbol="q"
+        name={`${words.name} q`}
         components={column.quaternion}
         convention={column.convention}
         digits={digits}
@@ -75,56 +73,46 @@ export function ConventionColumn({
           digits={digits}
           note={words.vector}
         />
-        {!isUnit && (
-          <>
-            <ArrayRow
-              name="unit quaternion"
-              symbol={
-                <>
-                  <var>q</var>/|<var>q</var>|
-                </>
-              }
-              numbers={column.unit.array}
-              digits={digits}
-              note={norm !== undefined && `norm 1, was ${shown(norm, digits)}`}
-            />
-            <ArrayRow
-              name="conjugate"
-              symbol={
-                <>
-                  <var>q</var>*
-                </>
-              }
-              numbers={column.conjugate.array}
-              digits={digits}
-              note="the conjugate"
-            />
-          </>
-        )}
         <ArrayRow
-          name="inverse"
+          name={`${words.name} conjugate`}
+          symbol={
+            <>
+              <var>q</var>*
+            </>
+          }
+          numbers={column.conjugate.array}
+          digits={digits}
+          note="the conjugate"
+        />
+        <ArrayRow
+          name={`${words.name} inverse`}
           symbol={
             <>
               <var>q</var>
               <sup>−1</sup>
-              {isUnit && (
-                <>
-                  {" "}
-                  = <var>q</var>*
-                </>
-              )}
             </>
           }
           numbers={column.inverse?.array}
           digits={digits}
-          note={isUnit ? "the inverse, which is the conjugate" : "the inverse, conjugate / norm²"}
+          note={isUnit ? "the inverse: the conjugate" : "the inverse: conjugate / norm²"}
+        />
+        <ArrayRow
+          name={`${words.name} unit quaternion`}
+          symbol={
+            <>
+              <var>q</var>/|<var>q</var>|
+            </>
+          }
+          numbers={column.unit.array}
+          digits={digits}
+          note={isUnit ? "norm 1: q itself" : "the same rotation with norm 1"}
         />
       </div>
       <details class="products">
         <summary>Product matrices</summary>
         <div class="matrices">
           <Matrix
-            name="left product matrix"
+            name={`${words.name} left product matrix`}
             symbol={
               <>
                 <var>q</var>∘<var>p</var> = <var>L p</var>
@@ -135,7 +123,7 @@ export function ConventionColumn({
             digits={digits}
           />
           <Matrix
-            name="right product matrix"
+            name={`${words.name} right product matrix`}
             symbol={
               <>
                 <var>p</var>∘<var>q</var> = <var>R p</var>

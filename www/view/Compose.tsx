@@ -1,5 +1,5 @@
 // The Compose view: two quaternions, both products, both orders.
-import type { Digits, Preset } from "../address.ts";
+import type { Digits } from "../address.ts";
 import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -7,10 +7,10 @@ import { AskStatus, ConventionSwitch, DigitsSwitch, TextField, VectorField } fro
 import { Notes } from "./Notes.tsx";
 import { NamedComponents } from "./Read.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
-import { wordsOf } from "./words.ts";
+import { presetOf, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
-  const { p, q, digits, preset } = store.state.value;
+  const { p, q, digits } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
@@ -42,7 +42,7 @@ export function Compose({ store }: { store: Store }) {
           <VectorField store={store} />
           <DigitsSwitch store={store} />
         </div>
-        <AskStatus store={store} fields={fields}>
+        <AskStatus store={store} fields={fields} freshness={shownResult?.freshness}>
           {shownResult && (
             <div class="read-as">
               <p>
@@ -57,8 +57,8 @@ export function Compose({ store }: { store: Store }) {
         </AskStatus>
       </section>
       {shownResult && (
-        <div class={`result ${shownResult.freshness}`}>
-          <Result report={shownResult.report} digits={digits} preset={preset} />
+        <div class={`result ${shownResult.freshness === "current" ? "current" : "old"}`}>
+          <Result report={shownResult.report} digits={digits} />
         </div>
       )}
     </>
@@ -71,20 +71,12 @@ const fields = [
   { field: "vector", symbol: "x" },
 ] as const;
 
-const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
 const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };
-const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "C" };
+const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "B′" };
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
 
-function Result({
-  report,
-  digits,
-  preset,
-}: {
-  report: ComposeReport;
-  digits: Digits;
-  preset: Preset;
-}) {
+function Result({ report, digits }: { report: ComposeReport; digits: Digits }) {
+  const preset = presetOf[report.p.convention.handedness];
   const declared = report.products.find(
     (product) => presetOf[product.convention.handedness] === preset && product.left === "p",
   );
@@ -97,6 +89,8 @@ function Result({
       );
       return jpl ? [{ hamilton, jpl }] : [];
     });
+  // First the pair that holds the product as declared.
+  if (preset === "jpl") pairs.reverse();
   return (
     <>
       {declared && <Road report={report} product={declared} digits={digits} />}
@@ -180,7 +174,7 @@ function Road({
       <p>
         In {wordsOf[preset].name}, {wordsOf[preset].direction}, <var>{product.right}</var> leads
         from {start} to {middle} and <var>{product.left}</var> from {middle} to {end}: they meet in{" "}
-        {middle}. W is the world, B the body, C a second body mounted on B.
+        {middle}. W is the world, B the body, B′ a second body mounted on B.
       </p>
       <OrderWords report={report} />
     </section>
@@ -230,6 +224,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
       </header>
       <ComponentStrip
         symbol={spelled(product)}
+        name={`${words.name} ${spelled(product)}`}
         components={product.quaternion}
         convention={product.convention}
         digits={digits}

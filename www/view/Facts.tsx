@@ -6,7 +6,7 @@ import { Copy } from "./Value.tsx";
 
 export function Facts({ report, digits }: { report: ReadReport; digits: Digits }) {
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
-  const opposite = report.hamilton.unit.array.map((number) => 0 - number);
+  const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label="The turn, in every convention the same">
       <div class="fact">
@@ -16,7 +16,9 @@ export function Facts({ report, digits }: { report: ReadReport; digits: Digits }
             {axis === undefined ? "no turn, no axis" : shownAxis(axis, digits)}
             {axis !== undefined && `, ${shownDegrees(angleDeg, digits)}`}
           </code>
-          <Copy of="angle in radians" text={exact(angleRad)} />
+          {axis !== undefined && (
+            <Copy of="axis and angle in radians" text={`${exactArray(axis)}, ${exact(angleRad)}`} />
+          )}
         </p>
         <p>
           <code>{shown(angleRad, digits)}</code> rad. Carries the world axes onto the body axes,

@@ -1,7 +1,7 @@
 // What a careful reader should know about the input: one plain line each.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
-import type { ComponentOrder, Fact, Note, OrderSource } from "../engine.ts";
+import type { ComponentOrder, Note, OrderSource } from "../engine.ts";
 import { shown, shownDegrees } from "../format.ts";
 
 export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digits }) {
@@ -15,7 +15,7 @@ export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digit
               <var>{note.field}</var>:{" "}
             </>
           )}
-          {words(note.fact, digits)}
+          {words(note, digits)}
         </li>
       ))}
     </ul>
@@ -39,7 +39,8 @@ const sources: Record<OrderSource, string> = {
   constructor: "constructor",
 };
 
-function words(fact: Fact, digits: Digits): ComponentChildren {
+function words({ field, fact }: Note, digits: Digits): ComponentChildren {
+  const symbol = <var>{field === "quaternion" ? "q" : field}</var>;
   switch (fact.kind) {
     case "normalised":
       return fact.norm === undefined || fact.deviation === undefined ? (
@@ -48,7 +49,7 @@ function words(fact: Fact, digits: Digits): ComponentChildren {
         <>
           The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
           <code>{shown(Number(fact.deviation.toPrecision(2)), "all")}</code>: the matrices use{" "}
-          <var>q</var>/|<var>q</var>|.
+          {symbol}/|{symbol}|.
         </>
       );
     case "order-from-text":
@@ -63,7 +64,8 @@ function words(fact: Fact, digits: Digits): ComponentChildren {
         <>
           Bare numbers do not tell their order: read as <code>{orders[fact.order]}</code>. As{" "}
           <code>{orders[otherOrder[fact.order]]}</code> they would be a rotation{" "}
-          <code>{shownDegrees(Number(fact.otherOrderDiffersByDeg.toFixed(1)), "all")}</code> away.
+          <code>{shownDegrees(Number(fact.otherOrderDiffersByDeg.toPrecision(3)), "all")}</code>{" "}
+          away.
         </>
       );
     case "order-invisible":
@@ -83,19 +85,22 @@ function words(fact: Fact, digits: Digits): ComponentChildren {
     case "negative-scalar":
       return (
         <>
-          The scalar is negative: −<var>q</var> is the same rotation and names the shorter turn,
-          which is the one given below.
+          The scalar is negative: −{symbol} is the same rotation and names the shorter turn, which
+          is the one given below.
         </>
       );
     case "no-turn":
       return (
-        <>This is no turn at all: every convention agrees on it, so it tells none from another.</>
+        <>
+          This is no turn at all. Apart from the order of the numbers, it tells no convention from
+          another.
+        </>
       );
     case "half-turn":
       return (
         <>
           Half a turn: the axis and its opposite are equally right, and the matrix is its own
-          transpose, so it cannot tell the conventions apart.
+          transpose. Apart from the order of the numbers, it tells no convention from another.
         </>
       );
     case "out-of-range":

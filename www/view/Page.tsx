@@ -4,6 +4,7 @@ import { shown, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
 import { Read } from "./Read.tsx";
+import { presetOf, wordsOf } from "./words.ts";
 
 const views: { view: View; name: string }[] = [
   { view: "read", name: "Read" },
@@ -53,22 +54,29 @@ export function Page({ store }: { store: Store }) {
   );
 }
 
+const symbols = { quaternion: "q", p: "p", q: "q", vector: "x" } as const;
+
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
   const { view, digits } = store.state.value;
-  const problems = (["quaternion", "p", "q", "vector"] as const)
-    .map((field) => store.problemOf(field))
-    .filter((problem) => problem !== undefined);
-  const [problem] = problems;
-  if (problem !== undefined) {
-    return `Problem: ${problem.message}. Expected ${problem.expected}. The last good result is still shown.`;
-  }
+  const problems = (["quaternion", "p", "q", "vector"] as const).flatMap((field) => {
+    const problem = store.problemOf(field);
+    if (problem === undefined) return [];
+    const { message, expected, hint } = problem;
+    return [`Problem in ${symbols[field]}: ${message}. Expected ${expected}. Try ${hint}.`];
+  });
+  if (problems.length > 0) return problems.join(" ");
   if (view === "compose") {
-    const product = store.compose.value?.report.products[0];
+    const report = store.compose.value?.report;
+    const product = report?.products.find(
+      ({ convention, left }) =>
+        left === "p" && convention.handedness === report.p.convention.handedness,
+    );
     if (product === undefined) return "";
     const { w, x, y, z } = product.quaternion;
     const [first, second, third, fourth] = [w, x, y, z].map((number) => shown(number, digits));
-    return `p times q, Hamilton: w ${first}, x ${second}, y ${third}, z ${fourth}.`;
+    const name = wordsOf[presetOf[product.convention.handedness]].name;
+    return `Result: p times q in ${name}: w ${first}, x ${second}, y ${third}, z ${fourth}.`;
   }
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";

@@ -1,5 +1,5 @@
 // The Read view: one quaternion, both conventions side by side.
-import type { Digits, Preset } from "../address.ts";
+import { type Digits, type Preset, toFragment } from "../address.ts";
 import type { ReadQuaternion, ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -9,9 +9,10 @@ import { Facts } from "./Facts.tsx";
 import { Notes } from "./Notes.tsx";
 import { Relation } from "./Relation.tsx";
 import { namesInOrder } from "./Value.tsx";
+import { presetOf } from "./words.ts";
 
 export function Read({ store }: { store: Store }) {
-  const { quaternion, digits, preset } = store.state.value;
+  const { quaternion, digits } = store.state.value;
   const shownResult = store.read.value;
   return (
     <>
@@ -33,13 +34,13 @@ export function Read({ store }: { store: Store }) {
           <Examples store={store} />
           <DigitsSwitch store={store} />
         </div>
-        <AskStatus store={store} fields={fields}>
+        <AskStatus store={store} fields={fields} freshness={shownResult?.freshness}>
           {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
         </AskStatus>
       </section>
       {shownResult && (
-        <div class={`result ${shownResult.freshness}`}>
-          <Result report={shownResult.report} digits={digits} preset={preset} />
+        <div class={`result ${shownResult.freshness === "current" ? "current" : "old"}`}>
+          <Result report={shownResult.report} digits={digits} />
         </div>
       )}
     </>
@@ -78,6 +79,7 @@ const examples: { name: string; quaternion: string; vector: string; preset: Pres
   },
 ];
 
+/** Links, so that going back returns to what was typed before. */
 function Examples({ store }: { store: Store }) {
   return (
     <div class="examples">
@@ -85,9 +87,7 @@ function Examples({ store }: { store: Store }) {
       <ul aria-labelledby="examples-label">
         {examples.map(({ name, ...example }) => (
           <li key={name}>
-            <button type="button" onClick={() => store.set(example)}>
-              {name}
-            </button>
+            <a href={`#${toFragment({ ...store.state.value, ...example })}`}>{name}</a>
           </li>
         ))}
       </ul>
@@ -133,34 +133,23 @@ export function NamedComponents({
   );
 }
 
-function Result({
-  report,
-  digits,
-  preset,
-}: {
-  report: ReadReport;
-  digits: Digits;
-  preset: Preset;
-}) {
+function Result({ report, digits }: { report: ReadReport; digits: Digits }) {
+  // What the numbers were declared as, which is not the switch's state while a text has a problem.
+  const declared = presetOf[report.quaternion.convention.handedness];
   return (
     <>
       <div class="columns">
-        <ConventionColumn
-          preset="hamilton"
-          declared={preset}
-          column={report.hamilton}
-          norm={report.quaternion.norm}
-          digits={digits}
-        />
-        <ConventionColumn
-          preset="jpl"
-          declared={preset}
-          column={report.jpl}
-          norm={report.quaternion.norm}
-          digits={digits}
-        />
+        {(["hamilton", "jpl"] as const).map((preset) => (
+          <ConventionColumn
+            key={preset}
+            preset={preset}
+            declared={declared}
+            column={report[preset]}
+            digits={digits}
+          />
+        ))}
       </div>
-      <Relation report={report} digits={digits} declared={preset} />
+      <Relation report={report} digits={digits} declared={declared} />
       <Facts report={report} digits={digits} />
     </>
   );

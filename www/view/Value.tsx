@@ -35,18 +35,20 @@ export function Copy({ of, text }: { of: string; text: string }) {
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({
+  name,
   symbol,
   components,
   convention,
   digits,
 }: {
+  /** For the copy button. */
+  name: string;
   symbol: string;
   components: Components;
   convention: Convention;
   digits: Digits;
 }) {
   const names = namesInOrder(convention);
-  const largest = Math.max(...components.array.map(Math.abs));
   return (
     <div class="strip">
       <var>{symbol}</var>
@@ -54,11 +56,11 @@ export function ComponentStrip({
         {names.map((name, at) => (
           <div key={name} class={name === "w" ? "strip-scalar" : undefined}>
             <dt>{name}</dt>
-            <dd>{shown(components.array[at] ?? 0, digits, largest)}</dd>
+            <dd>{shown(components.array[at] ?? 0, digits)}</dd>
           </div>
         ))}
       </dl>
-      <Copy of={symbol} text={exactArray(components.array)} />
+      <Copy of={name} text={exactArray(components.array)} />
     </div>
   );
 }

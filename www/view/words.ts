@@ -1,4 +1,9 @@
 // The names of the two presets, and what they do.
+import type { Preset } from "../address.ts";
+import type { Handedness } from "../engine.ts";
+
+/** The preset that has a product. */
+export const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
 
 /** What the two presets are called and do; the same words everywhere on the page. */
 export const wordsOf = {

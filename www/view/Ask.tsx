@@ -94,10 +94,13 @@ export function AskStatus({
     <div class="ask-status">
       {found.length === 0
         ? children
-        : found.map(({ symbol, problem }) => (
+        : found.map(({ symbol, problem }, at) => (
             <div key={symbol} class="problem" id={problemId(problem.field)}>
-              <p class="problem-message">
-                <var>{symbol}</var>: {problem.message}.
+              <p class="problem-head">
+                <span class="problem-message">
+                  <var>{symbol}</var>: {problem.message}.
+                </span>{" "}
+                {at === 0 && <span class="old-result">{standsBelow(freshness)}</span>}
               </p>
               <p>
                 <span class="problem-key">Expected</span> {problem.expected}.{" "}
@@ -105,15 +108,14 @@ export function AskStatus({
               </p>
             </div>
           ))}
-      {found.length > 0 && (
-        <p class="old-result">
-          {freshness === "opening"
-            ? "What stands below is the example that the page opens with."
-            : "What stands below is the last result, from before this problem."}
-        </p>
-      )}
     </div>
   );
+}
+
+function standsBelow(freshness: Freshness | undefined): string {
+  return freshness === "opening"
+    ? "What stands below is the example that the page opens with."
+    : "What stands below is the last result, from before this problem.";
 }
 
 /** The text with the place of the problem marked; a place of no width takes what stands there. */

@@ -226,11 +226,10 @@ impl Problem {
         let marked = plain(&text[start..end.min(line_end)]);
         let after = plain(&text[end.min(line_end)..line_end]);
 
-        let skip = before.chars().count().saturating_sub(EXCERPT_CHARACTERS);
-        let lead: String = if skip > 0 { "…" } else { "" }
-            .chars()
-            .chain(before.chars().skip(skip))
-            .collect();
+        let lead = match before.char_indices().nth_back(EXCERPT_CHARACTERS - 1) {
+            Some((at, _)) if at > 0 => format!("…{}", &before[at..]),
+            _ => before,
+        };
         let marked = shorten(&marked, EXCERPT_CHARACTERS);
         let tail = shorten(&after, EXCERPT_CHARACTERS);
         let carets = "^".repeat(marked.width().max(1));

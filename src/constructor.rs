@@ -60,9 +60,10 @@ pub(crate) enum Call {
 }
 
 /// Words that say that a call computes, or that its numbers are not components.
-const OPERATIONS: [&str; 22] = [
-    "about", "align", "angle", "as_", "axis", "between", "conj", "cross", "diff", "dot", "euler",
-    "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy", "to_",
+const OPERATIONS: [&str; 24] = [
+    "2quat", "about", "align", "angle", "as_", "axang", "axis", "between", "conj", "cross", "diff",
+    "dot", "euler", "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy",
+    "to_",
 ];
 
 pub(crate) fn call(name: &str) -> Call {

@@ -179,12 +179,12 @@ enum YamlDash {
     Separates,
 }
 
-/// Whether every line that is not blank begins with a dash and a space, as `rostopic echo` prints arrays.
+/// Whether every line begins with a dash and a space, as `rostopic echo` prints arrays; blank lines
+/// and headings may stand between.
 fn is_yaml_list(text: &str) -> bool {
-    let mut lines = text
-        .lines()
-        .map(str::trim_start)
-        .filter(|line| !line.is_empty() && line.trim_end() != "---");
+    let mut lines = text.lines().map(str::trim_start).filter(|line| {
+        !line.is_empty() && line.trim_end() != "---" && !line.trim_end().ends_with(':')
+    });
     let items = lines.clone().count();
     items > 1 && lines.all(|line| line.starts_with("- "))
 }
@@ -268,17 +268,22 @@ fn token<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
 fn number<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
     let mantissa = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
     let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1);
-    let written = (mantissa, opt(exponent)).take().parse_next(input)?;
+    // `1.5×10−3`, as copied from a printed page; the sign tells it from a product.
+    let printed = ("×10", opt('^'), one_of(['+', '-', '−', '–']), digit1);
+    let written = (mantissa, opt(alt((exponent.void(), printed.void()))))
+        .take()
+        .parse_next(input)?;
     // C and Rust suffixes: 0.5f, 0.5f64, 0.5_f64.
     let _ =
         opt((opt('_'), alt(("f64", "f32", "f", "F")), not(name_character))).parse_next(input)?;
-    let value = written.replace('−', "-").parse().unwrap_or(f64::NAN);
+    let plain = written.replace("×10", "e").replace('^', "");
+    let value = plain.replace(['−', '–'], "-").parse().unwrap_or(f64::NAN);
     Ok((TokenKind::Number(value), written))
 }
 
 /// A literal that a double cannot hold is a problem, not an infinity or a zero.
 fn check_literal(value: f64, written: &str, span: Span) -> Result<(), Fault> {
-    let mantissa = written.split(['e', 'E']).next().unwrap_or(written);
+    let mantissa = written.split(['e', 'E', '×']).next().unwrap_or(written);
     if value.is_infinite() {
         return Err(Fault::too_large(span));
     }

@@ -297,6 +297,10 @@ fn numbers<const COUNT: usize>(
     let spaces_separate = entries
         .iter()
         .any(|entry| matches!(entry.lead, Lead::Signed | Lead::Bare));
+    let commas_separate = entries.iter().any(|entry| entry.lead == Lead::AfterComma);
+    if spaces_separate && commas_separate {
+        return Err(Fault::mixed_separators(span));
+    }
     if spaces_separate && let Some(sign) = entries.iter().find_map(|entry| entry.loose_sign) {
         return Err(Fault::loose_sign(sign));
     }

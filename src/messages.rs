@@ -125,6 +125,16 @@ impl Fault {
         )
     }
 
+    pub(crate) fn mixed_separators(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "commas stand between some of the numbers and only spaces between others",
+            "commas between all the numbers, or between none",
+            "write a point for the decimal sign (0.92), or put in the missing commas",
+        )
+    }
+
     pub(crate) fn loose_sign(span: Span) -> Self {
         Self::new(
             ProblemCode::Unexpected,

@@ -37,6 +37,8 @@
 //!   a unit a space may stand between: `√2/2 k`, `k sin(pi/8)`. It binds like `*`, from left to
 //!   right: `1/2k` is half of k.
 //! - `−` (U+2212), `–`, `·`, `×`, `÷`, `√`, `π`, `½` mean what they look like.
+//! - Commas stand between all the numbers of a list or between none, so that a decimal comma is not
+//!   read as two numbers.
 //! - A call is read only if it makes a quaternion or a vector of its numbers, or holds them:
 //!   `inverse(…)`, `fromEuler(…)` and the like are refused, because they are not applied here.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.

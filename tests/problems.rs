@@ -20,6 +20,7 @@ macro_rules! cases {
 const CASES: &[(&str, &str)] = cases![
     "a-call-of-euler-angles",
     "a-call-that-computes",
+    "a-conversion-by-name",
     "a-function-of-units",
     "a-long-line",
     "a-method-after-the-value",
@@ -29,8 +30,10 @@ const CASES: &[(&str, &str)] = cases![
     "assignment-without-a-value",
     "axis-and-angle-by-label",
     "axis-and-angle-in-a-constructor",
+    "commas-between-some",
     "components-of-several-values",
     "decimal-commas",
+    "decimal-commas-that-make-four",
     "difference-in-a-list",
     "division-by-a-difference-that-is-zero",
     "division-by-a-unit",

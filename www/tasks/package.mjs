@@ -36,13 +36,15 @@ function writeTypes(out) {
   const emitted = ask("tsc", "-p", "www/package", "--declarationDir", out);
   if (emitted === undefined) throw new Stop("the types of the package could not be made");
   const core = readFileSync(join(root, "pkg", "quatlas.d.ts"), "utf8");
+  // The comments come from Rust; its links lead nowhere here.
+  const withoutLinks = (text) => text.replace(/\[(`[^`]+`)\](\((?:[^()\n]|\(\))*\))?/g, "$1");
   const coreTypes = core.slice(0, core.search(/\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*export function/));
   const index = readFileSync(join(out, "index.d.ts"), "utf8").replace(
     /^.*pkg\/quatlas\.js.*\n/gm,
     "",
   );
   for (const extension of ["d.mts", "d.cts"]) {
-    writeFileSync(join(out, `index.${extension}`), coreTypes + index);
+    writeFileSync(join(out, `index.${extension}`), withoutLinks(coreTypes) + index);
   }
   rmSync(join(out, "index.d.ts"));
 }

@@ -18,6 +18,9 @@ use nalgebra::{Quaternion, Vector3};
 /// half a unit in the last place when typed and a few when normalised and multiplied.
 const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * (f64::EPSILON / 2.0);
 
+/// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p, in this order.
+const PRODUCTS: usize = 4;
+
 /// The four products and what they have in common.
 pub(crate) struct Composition {
     pub(crate) products: Vec<Product>,
@@ -42,7 +45,8 @@ pub(crate) fn compose(
         .all(|&hand| is_representable(hand, p, q) && is_representable(hand, q, p));
     let (shown_p, shown_q) = if as_typed { (p, q) } else { (&unit_p, &unit_q) };
 
-    let mut products = Vec::new();
+    let order_matters = order_matters(&unit_p.components, &unit_q.components);
+    let mut products = Vec::with_capacity(PRODUCTS);
     for preset in [Convention::HAMILTON, Convention::JPL] {
         for (left, right) in [(Operand::P, Operand::Q), (Operand::Q, Operand::P)] {
             let pick = |operand, p: &TaggedQuaternion, q: &TaggedQuaternion| match operand {
@@ -61,6 +65,7 @@ pub(crate) fn compose(
                 components: multiply(&unit_p, &unit_q).ok_or(NoRotation)?,
                 convention: preset,
             };
+            let place = products.len();
             let direction = preset.operator();
             let after_right = Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?
                 .turn_within_range(direction, vector);
@@ -80,24 +85,17 @@ pub(crate) fn compose(
                     Direction::BodyToWorld => right,
                     Direction::WorldToBody => left,
                 },
-                equal_to: Vec::new(),
+                // p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4), and these are the first
+                // and the last; the others are the same only where p and q commute.
+                equal_to: (0..PRODUCTS)
+                    .filter(|&other| {
+                        order_matters == OrderMatters::No
+                            || other == place
+                            || other + place == PRODUCTS - 1
+                    })
+                    .collect(),
             });
         }
-    }
-    // p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4); the other two only where they commute.
-    let order_matters = order_matters(&unit_p.components, &unit_q.components);
-    let is_same = |one: usize, other: usize| {
-        order_matters == OrderMatters::No || one == other || one + other == products.len() - 1
-    };
-    let equal: Vec<Vec<usize>> = (0..products.len())
-        .map(|one| {
-            (0..products.len())
-                .filter(|&other| is_same(one, other))
-                .collect()
-        })
-        .collect();
-    for (product, equal_to) in products.iter_mut().zip(equal) {
-        product.equal_to = equal_to;
     }
     Ok(Composition {
         order_matters,
@@ -117,10 +115,11 @@ const fn frames(direction: Direction) -> [Frame; 3] {
     }
 }
 
-/// Whether p∘q and q∘p differ, for norm 1: they differ by twice the cross product of their
-/// vector parts, and p∘q = −q∘p means that
-/// both scalars are 0 and the axes perpendicular. Tested on the factors, since a small difference
-/// drowns in the rounding of the products.
+/// Whether p∘q and q∘p differ, for norm 1.
+///
+/// They differ by twice the cross product of their vector parts, and p∘q = −q∘p means that both
+/// scalars are 0 and the axes perpendicular. Tested on the factors, since a small difference drowns
+/// in the rounding of the products.
 fn order_matters(p: &Quaternion<f64>, q: &Quaternion<f64>) -> OrderMatters {
     let direction = |quaternion: &Quaternion<f64>| {
         let vector: Vector3<f64> = quaternion.vector().into();

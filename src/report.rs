@@ -1,17 +1,13 @@
 //! What is answered: plain numbers and names, the source of the TypeScript types.
 //!
 //! No number here is NaN, infinite or −0. A number that a double cannot hold is
-//! absent, and a [`Note`] says so.
+//! absent, and a [`Note`] says so. A matrix is a list of its rows, and multiplies a column from the
+//! left.
 
 use crate::convention::{ComponentOrder, Convention, Direction};
 use crate::problem::{Field, Problem};
 use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3};
 use serde::{Deserialize, Serialize};
-
-/// Three rows of a 3×3 matrix, which multiplies a column of coordinates from the left.
-pub type Rows3 = [[f64; 3]; 3];
-/// Four rows of a 4×4 matrix, which multiplies a column of components from the left.
-pub type Rows4 = [[f64; 4]; 4];
 
 /// A report, or the problems that stand in its way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -103,15 +99,15 @@ pub struct Column {
     /// The inverse of `quaternion`, conjugate / norm²; absent where a double cannot hold it.
     pub inverse: Option<Components>,
     /// R(q) for Hamilton, body to world; C(q) for JPL, world to body.
-    pub matrix: Rows3,
+    pub matrix: [[f64; 3]; 3],
     /// Its inverse, which is its transpose.
-    pub inverse_matrix: Rows3,
+    pub inverse_matrix: [[f64; 3]; 3],
     /// `matrix` times `x`; absent where a double cannot hold it.
     pub image: Option<[f64; 3]>,
     /// The matrix of `p ↦ q∘p` for the unit quaternion, on arrays in this column's order.
-    pub left_product_matrix: Rows4,
+    pub left_product_matrix: [[f64; 4]; 4],
     /// The matrix of `p ↦ p∘q` for the unit quaternion, on arrays in this column's order.
-    pub right_product_matrix: Rows4,
+    pub right_product_matrix: [[f64; 4]; 4],
 }
 
 /// Four components by name, and as an array in the order of the convention beside them.
@@ -216,7 +212,7 @@ pub struct Product {
     /// The product.
     pub quaternion: Components,
     /// R(left ⊙ right) = R(left) R(right), or C(left ⊗ right) = C(left) C(right).
-    pub matrix: Rows3,
+    pub matrix: [[f64; 3]; 3],
     /// `x` after the right operand, then after both; absent where a double cannot hold it.
     pub images: Option<[[f64; 3]; 2]>,
     /// Which frame's coordinates to which the matrix takes.
@@ -364,10 +360,10 @@ pub(crate) fn coordinates(vector: &Vector3<f64>) -> [f64; 3] {
     [vector.x, vector.y, vector.z].map(plain)
 }
 
-pub(crate) fn rows3(matrix: &Matrix3<f64>) -> Rows3 {
+pub(crate) fn rows3(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
     matrix.transpose().map(plain).into()
 }
 
-pub(crate) fn rows4(matrix: &Matrix4<f64>) -> Rows4 {
+pub(crate) fn rows4(matrix: &Matrix4<f64>) -> [[f64; 4]; 4] {
     matrix.transpose().map(plain).into()
 }

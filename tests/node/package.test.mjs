@@ -67,6 +67,36 @@ test("the package has types, no install scripts and no dependencies", () => {
   }
 });
 
+test("the types are whole, for import and for require, and refuse what is wrong", () => {
+  const program = `import { analyze, JPL, type Outcome } from "quatlas";
+    const request = { view: "read", quaternion: "1 0 0 0", vector: "1 0 0" } as const;
+    const outcome: Outcome = analyze({ ...request, convention: JPL });
+    if (outcome.status === "read") {
+      const entry: number = outcome.jpl.matrix[2][0];
+      // @ts-expect-error: a row has three numbers
+      console.log(entry, outcome.jpl.matrix[0][3]);
+    }
+    // @ts-expect-error: the convention is missing
+    analyze(request);
+  `;
+  for (const name of ["typed.mts", "typed.cts"]) writeFileSync(join(project, name), program);
+  const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
+  const options = [
+    "--noEmit",
+    "--strict",
+    "--module",
+    "nodenext",
+    "--types",
+    "",
+    "--lib",
+    "es2023,dom",
+  ];
+  execFileSync(process.execPath, [tsc, ...options, "typed.mts", "typed.cts"], {
+    cwd: project,
+    stdio: "inherit",
+  });
+});
+
 test("the wasm inside is the optimised file", () => {
   const optimised = readFileSync(join(root, "pkg", "quatlas_bg.wasm"));
   const inside = readFileSync(join(installed, "dist/npm/index.cjs"), "utf8");

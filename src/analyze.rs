@@ -6,6 +6,7 @@
 
 use crate::compose::compose;
 use crate::convention::{ComponentOrder, Convention};
+use crate::matrix::times_within_range;
 use crate::messages::Fault;
 use crate::parse::{ParsedQuaternion, parse_quaternion, parse_vector};
 use crate::problem::{Field, Problem, Span};
@@ -154,7 +155,7 @@ struct Attitude {
 impl Attitude {
     fn of_text(text: &str, field: Field, declared: Convention) -> Result<Self, Problem> {
         let parsed = parse_quaternion(text, field, declared.order)?;
-        let span = Span::from(text.len() - text.trim_start().len()..text.trim_end().len());
+        let span = Span::of_trimmed(text);
         let tagged = TaggedQuaternion {
             components: parsed.quaternion,
             convention: Convention {
@@ -195,17 +196,16 @@ impl Attitude {
         let direction = convention.operator();
         let shown =
             |tagged: &TaggedQuaternion| Components::of(&tagged.components, convention.order);
+        let matrix = self.rotation.matrix(direction);
         Column {
             convention,
             quaternion: shown(&quaternion),
             unit: shown(&unit),
             conjugate: shown(&quaternion.conjugate()),
             inverse: quaternion.inverse().as_ref().map(shown),
-            matrix: rows3(&self.rotation.matrix(direction)),
-            inverse_matrix: rows3(&self.rotation.matrix(direction.reversed())),
-            image: self
-                .rotation
-                .turn_within_range(direction, vector)
+            matrix: rows3(&matrix),
+            inverse_matrix: rows3(&matrix.transpose()),
+            image: times_within_range(&matrix, vector)
                 .as_ref()
                 .map(coordinates),
             left_product_matrix: rows4(&unit.left_product_matrix()),

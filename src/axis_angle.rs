@@ -5,7 +5,7 @@
 //! changes its numbers.
 
 use crate::rotation::{NoRotation, Rotation};
-use crate::scaling;
+use crate::scaling::{self, Norm};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// Below this half-angle `sin(a)/a` is 1 to the last digit, since `a²/6 < 2^-54`; the quotient of
@@ -29,13 +29,10 @@ impl Rotation {
     /// # Ok::<(), quatlas::NoRotation>(())
     /// ```
     pub fn from_axis_angle(axis: [f64; 3], angle_rad: f64) -> Result<Self, NoRotation> {
-        let (fraction, exponent) = scaling::norm(&axis);
-        let finite = axis.iter().all(|number| number.is_finite()) && angle_rad.is_finite();
-        if fraction == 0.0 || !finite {
+        if !(axis.iter().all(|number| number.is_finite()) && angle_rad.is_finite()) {
             return Err(NoRotation);
         }
-        let unit = Vector3::from(axis).map(|number| scaling::times_power_of_two(number, -exponent))
-            / fraction;
+        let unit = scaling::direction(&axis.into()).ok_or(NoRotation)?;
         let (sine, cosine) = libm::sincos(angle_rad / 2.0);
         Ok(Self::from_unit(Quaternion::from_parts(cosine, unit * sine)))
     }
@@ -53,15 +50,15 @@ impl Rotation {
         if !vector.iter().all(|number| number.is_finite()) {
             return Err(NoRotation);
         }
-        let (fraction, exponent) = scaling::norm(&vector);
-        let half_angle = scaling::times_power_of_two(fraction, exponent - 1);
+        // Halved before it is a double: the norm itself may be larger than any.
+        let norm = Norm::of(&vector);
+        let half_angle = scaling::times_power_of_two(norm.fraction, norm.exponent - 1);
         let vector = Vector3::from(vector);
-        if half_angle < SINC_IS_ONE_BELOW {
-            return Ok(Self::from_unit(Quaternion::from_parts(1.0, vector / 2.0)));
-        }
+        let direction = match scaling::direction(&vector) {
+            Some(direction) if half_angle >= SINC_IS_ONE_BELOW => direction,
+            _ => return Ok(Self::from_unit(Quaternion::from_parts(1.0, vector / 2.0))),
+        };
         let (sine, cosine) = libm::sincos(half_angle);
-        let direction =
-            vector.map(|number| scaling::times_power_of_two(number, -exponent)) / fraction;
         Ok(Self::from_unit(Quaternion::from_parts(
             cosine,
             direction * sine,
@@ -79,8 +76,7 @@ impl Rotation {
     #[must_use]
     pub fn angle_rad(&self) -> f64 {
         let q = self.canonical();
-        let (fraction, exponent) = scaling::norm(q.vector().as_slice());
-        let vector_norm = scaling::times_power_of_two(fraction, exponent);
+        let vector_norm = Norm::of(q.vector().as_slice()).value();
         2.0 * libm::atan2(vector_norm, q.w.abs())
     }
 
@@ -89,10 +85,7 @@ impl Rotation {
     /// At π the axis and its opposite are equally right; the one given is the vector part's own.
     #[must_use]
     pub fn axis(&self) -> Option<Vector3<f64>> {
-        let vector = self.shorter_vector_part();
-        let (fraction, exponent) = scaling::norm(vector.as_slice());
-        (fraction > 0.0)
-            .then(|| vector.map(|number| scaling::times_power_of_two(number, -exponent)) / fraction)
+        scaling::direction(&self.shorter_vector_part())
     }
 
     /// The rotation vector: the angle, at most π radians, times the axis. The logarithm.
@@ -111,13 +104,10 @@ impl Rotation {
     #[doc(alias("log", "scaled_axis", "rotvec"))]
     pub fn rotation_vector_rad(&self) -> Vector3<f64> {
         let vector = self.shorter_vector_part();
-        let (fraction, exponent) = scaling::norm(vector.as_slice());
-        let half_angle_per_norm = if fraction == 0.0 {
-            return Vector3::zeros();
-        } else if scaling::times_power_of_two(fraction, exponent) < SINC_IS_ONE_BELOW {
+        let norm = Norm::of(vector.as_slice()).value();
+        let half_angle_per_norm = if norm < SINC_IS_ONE_BELOW {
             1.0
         } else {
-            let norm = scaling::times_power_of_two(fraction, exponent);
             libm::atan2(norm, self.canonical().w.abs()) / norm
         };
         vector * (2.0 * half_angle_per_norm)

@@ -5,6 +5,7 @@
 //! first is another question; its answer depends on the direction.
 
 use crate::convention::{Convention, Direction, Handedness};
+use crate::matrix::times_within_range;
 use crate::quaternion::{self, TaggedQuaternion};
 use crate::report::{
     Components, Frame, Operand, OrderMatters, OutOfRange, OutOfRangeNumber, Product, coordinates,
@@ -67,17 +68,17 @@ pub(crate) fn compose(
             };
             let place = products.len();
             let direction = preset.operator();
-            let after_right = Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?
-                .turn_within_range(direction, vector);
-            let after_both = Rotation::from_tagged(&unit_product)?;
+            let first_matrix =
+                Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?.matrix(direction);
+            let matrix = Rotation::from_tagged(&unit_product)?.matrix(direction);
             products.push(Product {
                 convention: preset,
                 left,
                 right,
                 quaternion: Components::of(&typed_product, preset.order),
-                matrix: rows3(&after_both.matrix(direction)),
-                images: after_right
-                    .zip(after_both.turn_within_range(direction, vector))
+                matrix: rows3(&matrix),
+                images: times_within_range(&first_matrix, vector)
+                    .zip(times_within_range(&matrix, vector))
                     .map(|(first, second)| [coordinates(&first), coordinates(&second)]),
                 direction,
                 frames: frames(direction),
@@ -121,17 +122,10 @@ const fn frames(direction: Direction) -> [Frame; 3] {
 /// scalars are 0 and the axes perpendicular. Tested on the factors, since a small difference drowns
 /// in the rounding of the products.
 fn order_matters(p: &Quaternion<f64>, q: &Quaternion<f64>) -> OrderMatters {
-    let direction = |quaternion: &Quaternion<f64>| {
-        let vector: Vector3<f64> = quaternion.vector().into();
-        let exponent = scaling::binary_exponent(vector.as_slice());
-        vector
-            .map(|number| scaling::times_power_of_two(number, -exponent))
-            .normalize()
-    };
-    if p.vector().amax() == 0.0 || q.vector().amax() == 0.0 {
+    let axis = |quaternion: &Quaternion<f64>| scaling::direction(&quaternion.vector().into());
+    let (Some(p_axis), Some(q_axis)) = (axis(p), axis(q)) else {
         return OrderMatters::No;
-    }
-    let (p_axis, q_axis) = (direction(p), direction(q));
+    };
     if p_axis.cross(&q_axis).amax() <= ROUNDING_OF_DIRECTIONS {
         return OrderMatters::No;
     }

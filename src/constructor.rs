@@ -1,6 +1,7 @@
 //! Which order the constructors of known libraries take their numbers in.
 
 use crate::convention::ComponentOrder::{self, ScalarFirst, ScalarLast};
+use crate::lex::last_segment;
 
 /// A constructor's last path segments, joined by points, and the order of its arguments.
 ///
@@ -68,7 +69,7 @@ const OPERATIONS: [&str; 24] = [
 
 pub(crate) fn call(name: &str) -> Call {
     let path = name.replace("::", ".");
-    let last = path.rsplit('.').next().unwrap_or(&path);
+    let last = last_segment(name);
     let lower = last.to_ascii_lowercase();
     let computes = OPERATIONS.iter().any(|word| lower.contains(word))
         || ["to", "as"].iter().any(|word| {

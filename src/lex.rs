@@ -87,10 +87,9 @@ pub(crate) struct Token<'t> {
     pub(crate) spacing: Spacing,
 }
 
-impl Token<'_> {
-    fn is_number(&self) -> bool {
-        matches!(self.kind, TokenKind::Number(_))
-    }
+/// The last name of a path: `Quaterniond` of `Eigen::Quaterniond`, `x` of `pose.orientation.x`.
+pub(crate) fn last_segment(path: &str) -> &str {
+    path.rsplit([':', '.']).next().unwrap_or(path)
 }
 
 /// Words of a declaration that say nothing about the numbers.
@@ -118,15 +117,16 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
     let mut spacing = Spacing::Apart;
     loop {
         let before = text.len() - input.len();
-        let touching = match tokens.last().is_some_and(Token::is_number) {
-            true => Touching::Number,
-            false => Touching::Other,
+        let touching = match tokens.last().map(|token: &Token<'_>| token.kind) {
+            Some(TokenKind::Number(_)) => Touching::Number,
+            _ => Touching::Other,
         };
         if let Some(line_now) = blank(&mut input, line, touching, yaml_dash) {
             let skipped = &text[before..text.len() - input.len()];
-            spacing = match skipped.contains('\n') {
-                true => Spacing::NextLine,
-                false => Spacing::Apart,
+            spacing = if skipped.contains('\n') {
+                Spacing::NextLine
+            } else {
+                Spacing::Apart
             };
             line = line_now;
         }
@@ -150,14 +150,11 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
         }
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
-            // `0.5.5`, `1½`: two numbers that touch were not meant as two.
-            if spacing.is_adjacent() && tokens.last().is_some_and(Token::is_number) {
-                return Err(Fault::unexpected(span, written));
-            }
         }
-        // `0.92(3)` is a number with its uncertainty, not a product.
-        let opens = kind == TokenKind::Open(Bracket::Round);
-        if opens && spacing.is_adjacent() && tokens.last().is_some_and(Token::is_number) {
+        // Two numbers that touch (`0.5.5`, `1½`) were not meant as two, and `0.92(3)` is a number
+        // with its uncertainty, not a product.
+        let needs_space = matches!(kind, TokenKind::Number(_) | TokenKind::Open(Bracket::Round));
+        if needs_space && spacing.is_adjacent() && touching == Touching::Number {
             return Err(Fault::unexpected(span, written));
         }
         tokens.push(Token {

@@ -3,6 +3,7 @@
 //! A product of two imaginary units is refused, because its sign is what the
 //! conventions disagree about; so nothing here depends on a convention.
 
+use crate::lex::last_segment;
 use crate::messages::Fault;
 use crate::problem::Span;
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
@@ -176,10 +177,6 @@ impl Quantity {
     fn with(self, other: Self) -> Self {
         if self == Self::Angle { self } else { other }
     }
-}
-
-fn last_segment(name: &str) -> &str {
-    name.rsplit([':', '.']).next().unwrap_or(name)
 }
 
 fn function(name: &str) -> Option<fn(f64) -> f64> {

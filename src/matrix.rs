@@ -65,21 +65,20 @@ impl Rotation {
             Direction::WorldToBody => self.world_to_body_matrix(),
         }
     }
+}
 
-    /// The vector turned by the matrix with this direction; `None` where a double cannot hold it.
-    ///
-    /// Computed on a scaled copy, so that only the result itself can be too large.
-    pub(crate) fn turn_within_range(
-        &self,
-        direction: Direction,
-        vector: Vector3<f64>,
-    ) -> Option<Vector3<f64>> {
-        let exponent = scaling::binary_exponent(vector.as_slice());
-        let scale = |exponent| move |number| scaling::times_power_of_two(number, exponent);
-        let turned = (self.matrix(direction) * vector.map(scale(-exponent))).map(scale(exponent));
-        turned
-            .iter()
-            .all(|number| number.is_finite())
-            .then_some(turned)
-    }
+/// The matrix times the vector; `None` where a double cannot hold it.
+///
+/// Computed on a scaled copy, so that only the result itself can be too large.
+pub(crate) fn times_within_range(
+    matrix: &Matrix3<f64>,
+    vector: Vector3<f64>,
+) -> Option<Vector3<f64>> {
+    let exponent = scaling::binary_exponent(vector.as_slice());
+    let scale = |exponent| move |number| scaling::times_power_of_two(number, exponent);
+    let turned = (matrix * vector.map(scale(-exponent))).map(scale(exponent));
+    turned
+        .iter()
+        .all(|number| number.is_finite())
+        .then_some(turned)
 }

@@ -4,7 +4,7 @@ use crate::constructor::{self, Call};
 use crate::convention::ComponentOrder;
 use crate::linear::Linear;
 use crate::messages::Fault;
-use crate::names::{ORIENTATIONS, component, is_option, named};
+use crate::names::{ORIENTATIONS, component, named, without_options};
 use crate::problem::{Span, Wanted, shorten};
 use crate::report::OrderSource;
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
@@ -99,19 +99,9 @@ fn read_quaternion(
     if let Some(node) = orientation(entries) {
         return read_members(node, order, place);
     }
-    let (entries, label) = without_label(entries, Wanted::Quaternion);
-    let order = match label {
-        Some(label) if constructor::is_other_label(label.name) => {
-            return Err(Fault::not_applied(
-                label.span,
-                label.name,
-                Wanted::Quaternion,
-            ));
-        }
-        Some(label) => match constructor::order_in_name(label.name) {
-            Some(named) => order.told(named, OrderSource::Named),
-            None => order,
-        },
+    let (entries, label) = without_label(entries, Wanted::Quaternion)?;
+    let order = match label.and_then(|label| constructor::order_in_name(label.name)) {
+        Some(named) => order.told(named, OrderSource::Named),
         None => order,
     };
     if let [only] = &entries[..]
@@ -174,11 +164,7 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
         (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
         (None, Call::Unordered | Call::Container) => order,
     };
-    let members: Vec<_> = arguments
-        .iter()
-        .filter(|entry| !is_option(entry))
-        .cloned()
-        .collect();
+    let members = without_options(arguments);
     read_quaternion(&members, node.span, order, Place::InCall)
 }
 
@@ -217,23 +203,13 @@ fn triple<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
 }
 
 pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
-    let (entries, label) = without_label(entries, Wanted::Vector);
-    if let Some(label) = label
-        && constructor::is_other_label(label.name)
-    {
-        return Err(Fault::not_applied(label.span, label.name, Wanted::Vector));
-    }
+    let (entries, _) = without_label(entries, Wanted::Vector)?;
     if let [only] = &entries[..]
         && only.key.is_none()
     {
         match (&only.node.kind, triple(&only.node)) {
             (_, Some(inner)) => {
-                let members: Vec<_> = inner
-                    .iter()
-                    .filter(|entry| !is_option(entry))
-                    .cloned()
-                    .collect();
-                return vector(&members, only.node.span);
+                return vector(&without_options(inner), only.node.span);
             }
             (NodeKind::Call { name, .. }, None) => {
                 return Err(Fault::not_applied(only.node.span, name, Wanted::Vector));
@@ -257,11 +233,12 @@ pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, 
 
 /// The members without the name of the whole, as in `q = 0.92 + 0.38k`, and that name.
 ///
-/// In the field of a vector `x = [1, 0, 0]` and `x = 1 0 0` name the whole as well.
+/// In the field of a vector `x = [1, 0, 0]` and `x = 1 0 0` name the whole as well. A name that
+/// announces something else, such as `rpy`, is a problem.
 fn without_label<'e, 't>(
     entries: &'e [Entry<'t>],
     wanted: Wanted,
-) -> (Cow<'e, [Entry<'t>]>, Option<Key<'t>>) {
+) -> Result<(Cow<'e, [Entry<'t>]>, Option<Key<'t>>), Fault> {
     let label = match entries {
         [first, rest @ ..] if rest.iter().all(|entry| entry.key.is_none()) => {
             first.key.filter(|key| {
@@ -274,10 +251,13 @@ fn without_label<'e, 't>(
         _ => None,
     };
     let mut entries = Cow::Borrowed(entries);
-    if label.is_some() {
+    if let Some(label) = label {
+        if constructor::is_other_label(label.name) {
+            return Err(Fault::not_applied(label.span, label.name, wanted));
+        }
         entries.to_mut()[0].key = None;
     }
-    (entries, label)
+    Ok((entries, label))
 }
 
 fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {

@@ -1,5 +1,6 @@
 //! Members with names: which component each is, and which of several values is meant.
 
+use crate::lex::last_segment;
 use crate::messages::Fault;
 use crate::problem::{Span, Wanted};
 use crate::tree::{Entry, Key, NodeKind};
@@ -15,17 +16,22 @@ pub(crate) const ORIENTATIONS: [&str; 6] = [
 ];
 
 /// A named member that is no number, such as `dtype=float32` or `frame_id: "map"`.
-pub(crate) fn is_option(entry: &Entry<'_>) -> bool {
+fn is_option(entry: &Entry<'_>) -> bool {
     let is_component = |key: Key<'_>| component(key.name).is_some();
     matches!(entry.node.kind, NodeKind::Word(_)) && entry.key.is_some_and(|key| !is_component(key))
+}
+
+/// The members that are numbers or hold numbers.
+pub(crate) fn without_options<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
+    let members = entries.iter().filter(|entry| !is_option(entry));
+    members.cloned().collect()
 }
 
 const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
 
 /// The place of a component in `[w, x, y, z]`, by any of its names.
 pub(crate) fn component(name: &str) -> Option<usize> {
-    let name = name.rsplit(['.', ':']).next().unwrap_or(name);
-    Some(match name.to_ascii_lowercase().as_str() {
+    Some(match last_segment(name).to_ascii_lowercase().as_str() {
         "w" | "qw" | "q_w" | "_w" => 0,
         "x" | "qx" | "q_x" | "_x" => 1,
         "y" | "qy" | "q_y" | "_y" => 2,
@@ -37,7 +43,7 @@ pub(crate) fn component(name: &str) -> Option<usize> {
 pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
     let entries = of_one_value(entries)?;
     let mut found = [None; 4];
-    for entry in entries.iter().filter(|entry| !is_option(entry)) {
+    for entry in without_options(entries) {
         let Some(key) = entry.key else {
             return Err(Fault::mixed_names(entry.node.span));
         };
@@ -89,8 +95,7 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         let key = group.first().and_then(|entry| entry.key);
         key.is_some_and(|key| {
             let heading = key.heading.unwrap_or_else(|| path(key));
-            let last = heading.rsplit(['.', ':']).next().unwrap_or(heading);
-            ORIENTATIONS.contains(&last)
+            ORIENTATIONS.contains(&last_segment(heading))
         })
     };
     let second = bounds[1];

@@ -109,8 +109,7 @@ pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
 }
 
 fn read(text: &str, wanted: Wanted) -> Result<(Vec<Entry<'_>>, Span), Fault> {
-    let start = text.len() - text.trim_start().len();
-    let span = Span::from(start..text.trim_end().len().max(start));
+    let span = Span::of_trimmed(text);
     if text.len() > MAX_TEXT_BYTES {
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
     }

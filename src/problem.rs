@@ -38,6 +38,12 @@ pub struct Span {
 }
 
 impl Span {
+    /// The text without the white space around it.
+    pub(crate) fn of_trimmed(text: &str) -> Self {
+        let start = text.len() - text.trim_start().len();
+        Self::from(start..text.trim_end().len().max(start))
+    }
+
     /// The smallest span that holds both.
     #[must_use]
     pub fn to(self, other: Self) -> Self {

@@ -4,7 +4,7 @@
 //! knows which rotation they stand for.
 
 use crate::convention::{ComponentOrder, Convention, Handedness};
-use crate::scaling;
+use crate::scaling::{self, Norm};
 use nalgebra::{Matrix4, Quaternion};
 use std::fmt;
 
@@ -183,8 +183,7 @@ impl TaggedQuaternion {
     /// Infinite only where the norm itself is larger than any double.
     #[must_use]
     pub fn norm(&self) -> f64 {
-        let (fraction, exponent) = scaling::norm(self.components.coords.as_slice());
-        scaling::times_power_of_two(fraction, exponent)
+        Norm::of(self.components.coords.as_slice()).value()
     }
 
     /// The quaternion of norm 1 with the same direction; `None` for zero and for numbers that are
@@ -275,15 +274,14 @@ pub(crate) const UNIT_NORM_TOLERANCE: f64 = 4.0 * (f64::EPSILON / 2.0);
 /// A quaternion that is as near to norm 1 as rounding allows is left as it is.
 pub(crate) fn normalize(quaternion: &Quaternion<f64>) -> Option<Quaternion<f64>> {
     let numbers = quaternion.coords.as_slice();
-    let (fraction, exponent) = scaling::norm(numbers);
-    if fraction == 0.0 || !numbers.iter().all(|number| number.is_finite()) {
+    let norm = Norm::of(numbers);
+    if norm.fraction == 0.0 || !numbers.iter().all(|number| number.is_finite()) {
         return None;
     }
-    let norm = scaling::times_power_of_two(fraction, exponent);
-    if (norm - 1.0).abs() <= UNIT_NORM_TOLERANCE {
+    if (norm.value() - 1.0).abs() <= UNIT_NORM_TOLERANCE {
         return Some(*quaternion);
     }
-    Some(scale(quaternion, -exponent) / fraction)
+    Some(scale(quaternion, -norm.exponent) / norm.fraction)
 }
 
 fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f64> {

@@ -167,12 +167,7 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
                 };
                 (result, span)
             }
-            TokenKind::Degree => {
-                input.next_token();
-                let span = left.span.to(next.span);
-                (value_of(&left)?.degrees(span), span)
-            }
-            TokenKind::Word if is_degree(next.text) => {
+            _ if is_degree(&next) => {
                 input.next_token();
                 let span = left.span.to(next.span);
                 (value_of(&left)?.degrees(span), span)
@@ -189,8 +184,10 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
     Ok(left)
 }
 
-fn is_degree(word: &str) -> bool {
-    matches!(word, "deg" | "degree" | "degrees")
+fn is_degree(token: &Token<'_>) -> bool {
+    let is_word = token.kind == TokenKind::Word;
+    token.kind == TokenKind::Degree
+        || (is_word && matches!(token.text, "deg" | "degree" | "degrees"))
 }
 
 /// `0.38k`, `2pi`, `2√3`: no space between. `sin(pi/8) k`, `k sin(pi/8)`: a unit may stand apart.

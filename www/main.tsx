@@ -1,9 +1,8 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
-import { effect } from "@preact/signals";
 import { render } from "preact";
 import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
-import { createStore } from "./state.ts";
+import { createStore, type Store } from "./state.ts";
 import "./style.css";
 import { Page } from "./view/Page.tsx";
 
@@ -29,17 +28,16 @@ loadEngine().then(
 /** Browsers refuse more than about a hundred changes of the address in half a minute. */
 const addressDelayMs = 300;
 
-function keepAddress(store: ReturnType<typeof createStore>) {
+function keepAddress(store: Store) {
   let pending: ReturnType<typeof setTimeout> | undefined;
-  effect(() => {
-    const fragment = `#${toFragment(store.state.value)}`;
-    clearTimeout(pending);
-    pending = setTimeout(() => history.replaceState(null, "", fragment), addressDelayMs);
-  });
   const write = () => {
     clearTimeout(pending);
     history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
   };
+  store.state.subscribe(() => {
+    clearTimeout(pending);
+    pending = setTimeout(write, addressDelayMs);
+  });
   addEventListener("pagehide", write);
   // A link leaves a history entry behind: it must hold what was typed just before.
   addEventListener("click", write, { capture: true });

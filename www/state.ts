@@ -54,6 +54,7 @@ export function createStore(engine: Engine, fragment: string) {
     read,
     compose,
     failure,
+    problems,
     problemOf: (field: Field) => problems.value.find((problem) => problem.field === field),
     set: (change: Partial<PageState>) => {
       state.value = { ...state.value, ...change };

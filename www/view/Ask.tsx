@@ -4,28 +4,20 @@ import { useId, useRef } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
 import type { Freshness, Store } from "../state.ts";
-
-interface TextFieldProps {
-  store: Store;
-  field: Field;
-  symbol: string;
-  label: string;
-  size: "hero" | "plain";
-  text: string;
-  onText: (text: string) => void;
-}
+import { symbolOf, wordsOf } from "./words.ts";
 
 /** A field for text in any form, with the place of a problem marked in the text itself. */
-export function TextField({ store, field, symbol, label, size, text, onText }: TextFieldProps) {
+export function TextField({ store, field }: { store: Store; field: Field }) {
   const id = useId();
   const mirror = useRef<HTMLPreElement>(null);
+  const text = store.state.value[field];
   const problem = store.problemOf(field);
   return (
-    <div class={`field field-${size}`}>
+    <div class={`field ${field === "vector" ? "field-plain" : "field-hero"}`}>
       <div class="field-box">
         <label for={id} class="field-label">
-          <span class="visually-hidden">{label}</span>
-          <var>{symbol}</var>
+          <span class="visually-hidden">{field === "vector" ? "vector" : "quaternion"}</span>
+          <var>{symbolOf[field]}</var>
         </label>
         <div class="field-text">
           <pre class="field-mirror" aria-hidden="true" ref={mirror}>
@@ -42,7 +34,7 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
             value={text}
             aria-invalid={problem !== undefined}
             aria-describedby={problem && problemId(field)}
-            onInput={(event) => onText(event.currentTarget.value)}
+            onInput={(event) => store.set({ [field]: event.currentTarget.value })}
             onScroll={(event) => {
               if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
             }}
@@ -50,21 +42,6 @@ export function TextField({ store, field, symbol, label, size, text, onText }: T
         </div>
       </div>
     </div>
-  );
-}
-
-/** The vector that both views turn. */
-export function VectorField({ store }: { store: Store }) {
-  return (
-    <TextField
-      store={store}
-      field="vector"
-      symbol="x"
-      label="vector"
-      size="plain"
-      text={store.state.value.vector}
-      onText={(vector) => store.set({ vector })}
-    />
   );
 }
 
@@ -76,35 +53,30 @@ const problemId = (field: Field) => `problem-${field}`;
  */
 export function AskStatus({
   store,
-  fields,
   freshness,
   children,
 }: {
   store: Store;
-  fields: readonly { field: Field; symbol: string }[];
   /** Of the result below. */
   freshness: Freshness | undefined;
   children: ComponentChildren;
 }) {
-  const found = fields.flatMap(({ field, symbol }) => {
-    const problem = store.problemOf(field);
-    return problem ? [{ symbol, problem }] : [];
-  });
+  const problems = store.problems.value;
   return (
     <div class="ask-status">
-      {found.length === 0
+      {problems.length === 0
         ? children
-        : found.map(({ symbol, problem }, at) => (
-            <div key={symbol} class="problem" id={problemId(problem.field)}>
+        : problems.map(({ field, message, expected, hint }, at) => (
+            <div key={field} class="problem" id={problemId(field)}>
               <p class="problem-head">
                 <span class="problem-message">
-                  <var>{symbol}</var>: {problem.message}.
+                  <var>{symbolOf[field]}</var>: {message}.
                 </span>{" "}
                 {at === 0 && <span class="old-result">{standsBelow(freshness)}</span>}
               </p>
               <p>
-                <span class="problem-key">Expected</span> {problem.expected}.{" "}
-                <span class="problem-key">Try</span> {problem.hint}.
+                <span class="problem-key">Expected</span> {expected}.{" "}
+                <span class="problem-key">Try</span> {hint}.
               </p>
             </div>
           ))}
@@ -130,10 +102,7 @@ function Marked({ text, problem }: { text: string; problem: Problem }) {
   );
 }
 
-const presets: { preset: Preset; name: string; meaning: string }[] = [
-  { preset: "hamilton", name: "Hamilton", meaning: "w x y z, ij = k, body to world" },
-  { preset: "jpl", name: "JPL", meaning: "x y z w, ij = −k, world to body" },
-];
+const presets: Preset[] = ["hamilton", "jpl"];
 
 /** Declares how the text is meant. */
 export function ConventionSwitch({ store }: { store: Store }) {
@@ -141,7 +110,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
   return (
     <fieldset class="switch">
       <legend class="visually-hidden">The text is meant as</legend>
-      {presets.map(({ preset, name, meaning }) => (
+      {presets.map((preset) => (
         <label key={preset} class={`switch-choice ${preset}`}>
           <input
             type="radio"
@@ -150,19 +119,15 @@ export function ConventionSwitch({ store }: { store: Store }) {
             checked={preset === chosen}
             onChange={() => store.set({ preset })}
           />
-          <span class="switch-name">{name}</span>
-          <span class="switch-meaning">{meaning}</span>
+          <span class="switch-name">{wordsOf[preset].name}</span>
+          <span class="switch-meaning">{wordsOf[preset].meaning}</span>
         </label>
       ))}
     </fieldset>
   );
 }
 
-const digitChoices: { digits: Digits; name: string }[] = [
-  { digits: "4", name: "4" },
-  { digits: "6", name: "6" },
-  { digits: "all", name: "all" },
-];
+const digitChoices: Digits[] = ["4", "6", "all"];
 
 /** Chooses how many decimals are shown. */
 export function DigitsSwitch({ store }: { store: Store }) {
@@ -170,7 +135,7 @@ export function DigitsSwitch({ store }: { store: Store }) {
   return (
     <fieldset class="digits">
       <legend>Decimals</legend>
-      {digitChoices.map(({ digits, name }) => (
+      {digitChoices.map((digits) => (
         <label key={digits}>
           <input
             type="radio"
@@ -179,7 +144,7 @@ export function DigitsSwitch({ store }: { store: Store }) {
             checked={digits === chosen}
             onChange={() => store.set({ digits })}
           />
-          <span>{name}</span>
+          <span>{digits}</span>
         </label>
       ))}
     </fieldset>

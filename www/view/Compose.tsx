@@ -3,46 +3,30 @@ import type { Digits } from "../address.ts";
 import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField, VectorField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
 import { Notes } from "./Notes.tsx";
 import { NamedComponents } from "./Read.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
 import { presetOf, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
-  const { p, q, digits } = store.state.value;
+  const { digits } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
       <section class="ask" aria-label="Input">
         <div class="ask-row">
           <div class="ask-pair">
-            <TextField
-              store={store}
-              field="p"
-              symbol="p"
-              label="quaternion"
-              size="hero"
-              text={p}
-              onText={(text) => store.set({ p: text })}
-            />
-            <TextField
-              store={store}
-              field="q"
-              symbol="q"
-              label="quaternion"
-              size="hero"
-              text={q}
-              onText={(text) => store.set({ q: text })}
-            />
+            <TextField store={store} field="p" />
+            <TextField store={store} field="q" />
           </div>
           <ConventionSwitch store={store} />
         </div>
         <div class="ask-row">
-          <VectorField store={store} />
+          <TextField store={store} field="vector" />
           <DigitsSwitch store={store} />
         </div>
-        <AskStatus store={store} fields={fields} freshness={shownResult?.freshness}>
+        <AskStatus store={store} freshness={shownResult?.freshness}>
           {shownResult && (
             <div class="read-as">
               <p>
@@ -57,7 +41,7 @@ export function Compose({ store }: { store: Store }) {
         </AskStatus>
       </section>
       {shownResult && (
-        <div class={`result ${shownResult.freshness === "current" ? "current" : "old"}`}>
+        <div class={`result ${shownResult.freshness}`}>
           <Result report={shownResult.report} digits={digits} />
         </div>
       )}
@@ -65,21 +49,21 @@ export function Compose({ store }: { store: Store }) {
   );
 }
 
-const fields = [
-  { field: "p", symbol: "p" },
-  { field: "q", symbol: "q" },
-  { field: "vector", symbol: "x" },
-] as const;
-
 const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };
 const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "B′" };
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
 
+/** p times q in the product that the texts were declared in. */
+export function declaredProduct(report: ComposeReport): Product | undefined {
+  const { handedness } = report.p.convention;
+  return report.products.find(
+    ({ convention, left }) => convention.handedness === handedness && left === "p",
+  );
+}
+
 function Result({ report, digits }: { report: ComposeReport; digits: Digits }) {
   const preset = presetOf[report.p.convention.handedness];
-  const declared = report.products.find(
-    (product) => presetOf[product.convention.handedness] === preset && product.left === "p",
-  );
+  const declared = declaredProduct(report);
   // Each product of the Hamilton kind stands beside the JPL product that has the same numbers.
   const pairs = report.products
     .filter((product) => product.convention.handedness === "right")

@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
 import type { ComponentOrder, Note, OrderSource } from "../engine.ts";
 import { shown, shownDegrees } from "../format.ts";
+import { symbolOf } from "./words.ts";
 
 export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digits }) {
   if (notes.length === 0) return null;
@@ -40,7 +41,7 @@ const sources: Record<OrderSource, string> = {
 };
 
 function words({ field, fact }: Note, digits: Digits): ComponentChildren {
-  const symbol = <var>{field === "quaternion" ? "q" : field}</var>;
+  const symbol = <var>{symbolOf[field]}</var>;
   switch (fact.kind) {
     case "normalised":
       return fact.norm === undefined || fact.deviation === undefined ? (

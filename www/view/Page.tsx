@@ -2,9 +2,9 @@
 import { toFragment, type View } from "../address.ts";
 import { shown, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
-import { Compose } from "./Compose.tsx";
+import { Compose, declaredProduct } from "./Compose.tsx";
 import { Read } from "./Read.tsx";
-import { presetOf, wordsOf } from "./words.ts";
+import { presetOf, symbolOf, wordsOf } from "./words.ts";
 
 const views: { view: View; name: string }[] = [
   { view: "read", name: "Read" },
@@ -54,24 +54,17 @@ export function Page({ store }: { store: Store }) {
   );
 }
 
-const symbols = { quaternion: "q", p: "p", q: "q", vector: "x" } as const;
-
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
   const { view, digits } = store.state.value;
-  const problems = (["quaternion", "p", "q", "vector"] as const).flatMap((field) => {
-    const problem = store.problemOf(field);
-    if (problem === undefined) return [];
-    const { message, expected, hint } = problem;
-    return [`Problem in ${symbols[field]}: ${message}. Expected ${expected}. Try ${hint}.`];
-  });
+  const problems = store.problems.value.map(
+    ({ field, message, expected, hint }) =>
+      `Problem in ${symbolOf[field]}: ${message}. Expected ${expected}. Try ${hint}.`,
+  );
   if (problems.length > 0) return problems.join(" ");
   if (view === "compose") {
     const report = store.compose.value?.report;
-    const product = report?.products.find(
-      ({ convention, left }) =>
-        left === "p" && convention.handedness === report.p.convention.handedness,
-    );
+    const product = report && declaredProduct(report);
     if (product === undefined) return "";
     const { w, x, y, z } = product.quaternion;
     const [first, second, third, fourth] = [w, x, y, z].map((number) => shown(number, digits));

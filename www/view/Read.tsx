@@ -3,7 +3,7 @@ import { type Digits, type Preset, toFragment } from "../address.ts";
 import type { ReadQuaternion, ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField, VectorField } from "./Ask.tsx";
+import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
 import { ConventionColumn } from "./Column.tsx";
 import { Facts } from "./Facts.tsx";
 import { Notes } from "./Notes.tsx";
@@ -12,45 +12,32 @@ import { namesInOrder } from "./Value.tsx";
 import { presetOf } from "./words.ts";
 
 export function Read({ store }: { store: Store }) {
-  const { quaternion, digits } = store.state.value;
+  const { digits } = store.state.value;
   const shownResult = store.read.value;
   return (
     <>
       <section class="ask" aria-label="Input">
         <div class="ask-row">
-          <TextField
-            store={store}
-            field="quaternion"
-            symbol="q"
-            label="quaternion"
-            size="hero"
-            text={quaternion}
-            onText={(text) => store.set({ quaternion: text })}
-          />
+          <TextField store={store} field="quaternion" />
           <ConventionSwitch store={store} />
         </div>
         <div class="ask-row">
-          <VectorField store={store} />
+          <TextField store={store} field="vector" />
           <Examples store={store} />
           <DigitsSwitch store={store} />
         </div>
-        <AskStatus store={store} fields={fields} freshness={shownResult?.freshness}>
+        <AskStatus store={store} freshness={shownResult?.freshness}>
           {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
         </AskStatus>
       </section>
       {shownResult && (
-        <div class={`result ${shownResult.freshness === "current" ? "current" : "old"}`}>
+        <div class={`result ${shownResult.freshness}`}>
           <Result report={shownResult.report} digits={digits} />
         </div>
       )}
     </>
   );
 }
-
-const fields = [
-  { field: "quaternion", symbol: "q" },
-  { field: "vector", symbol: "x" },
-] as const;
 
 const examples: { name: string; quaternion: string; vector: string; preset: Preset }[] = [
   {

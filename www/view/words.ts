@@ -1,16 +1,19 @@
-// The names of the two presets, and what they do.
+// The names of the texts and of the two presets; the same words everywhere on the page.
 import type { Preset } from "../address.ts";
-import type { Handedness } from "../engine.ts";
+import type { Field, Handedness } from "../engine.ts";
+
+/** What a text is called in formulas. */
+export const symbolOf: Record<Field, string> = { quaternion: "q", p: "p", q: "q", vector: "x" };
 
 /** The preset that has a product. */
 export const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
 
-/** What the two presets are called and do; the same words everywhere on the page. */
+/** What the two presets are called and do. */
 export const wordsOf = {
   hamilton: {
     name: "Hamilton",
+    meaning: "w x y z, ij = k, body to world",
     matrix: "R",
-    other: "C",
     product: "ij = k",
     order: "[w, x, y, z]",
     direction: "body → world",
@@ -20,8 +23,8 @@ export const wordsOf = {
   },
   jpl: {
     name: "JPL",
+    meaning: "x y z w, ij = −k, world to body",
     matrix: "C",
-    other: "R",
     product: "ij = −k",
     order: "[x, y, z, w]",
     direction: "world → body",

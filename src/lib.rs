@@ -39,6 +39,8 @@ pub mod problem;
 // The sentence of every problem.
 /// What four numbers mean.
 pub mod convention;
+/// The 24 Euler sequences.
+pub mod euler_sequence;
 mod messages;
 /// What is answered.
 pub mod report;
@@ -94,6 +96,7 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
+pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};

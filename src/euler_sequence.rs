@@ -152,7 +152,7 @@ impl std::error::Error for UnknownSequence {}
 
 /// Three axes and whether they move: one of 24.
 ///
-/// Displayed and parsed in the manner of SciPy: capitals are intrinsic, small letters extrinsic.
+/// Displayed and parsed in the manner of `SciPy`: capitals are intrinsic, small letters extrinsic.
 /// Digits are axes too and are intrinsic, as in the aerospace books.
 ///
 /// ```

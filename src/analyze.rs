@@ -6,7 +6,6 @@
 
 use crate::compose::compose;
 use crate::convention::{ComponentOrder, Convention};
-use crate::matrix::times_within_range;
 use crate::messages::Fault;
 use crate::parse::{ParsedQuaternion, parse_quaternion, parse_vector};
 use crate::problem::{Field, Problem, Span};
@@ -205,7 +204,9 @@ impl Attitude {
             inverse: quaternion.inverse().as_ref().map(shown),
             matrix: rows3(&matrix),
             inverse_matrix: rows3(&matrix.transpose()),
-            image: times_within_range(&matrix, vector)
+            image: self
+                .rotation
+                .rotate_within_range(vector, direction)
                 .as_ref()
                 .map(coordinates),
             left_product_matrix: rows4(&unit.left_product_matrix()),
@@ -226,7 +227,7 @@ impl Attitude {
         }
         if self.rotation.axis().is_none() {
             facts.push(Fact::NoTurn);
-        } else if self.rotation.canonical().w.abs() <= HALF_TURN_SCALAR {
+        } else if self.rotation.to_tagged(self.declared).components.w.abs() <= HALF_TURN_SCALAR {
             facts.push(Fact::HalfTurn);
         }
         facts.into_iter().map(|fact| Note { field, fact }).collect()

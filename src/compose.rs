@@ -5,7 +5,6 @@
 //! first is another question; its answer depends on the direction.
 
 use crate::convention::{Convention, Direction, Handedness};
-use crate::matrix::times_within_range;
 use crate::quaternion::{self, TaggedQuaternion};
 use crate::report::{
     Components, Frame, Operand, OrderMatters, OutOfRange, OutOfRangeNumber, Product, coordinates,
@@ -39,7 +38,7 @@ pub(crate) fn compose(
     let unit_p = p.normalize().ok_or(NoRotation)?;
     let unit_q = q.normalize().ok_or(NoRotation)?;
     let is_representable = |hand, left: &TaggedQuaternion, right: &TaggedQuaternion| {
-        quaternion::scaled_product(hand, &left.components, &right.components).is_some()
+        quaternion::representable_product(hand, &left.components, &right.components).is_some()
     };
     let as_typed = Handedness::ALL
         .iter()
@@ -55,7 +54,7 @@ pub(crate) fn compose(
                 Operand::Q => q.to_convention(preset),
             };
             let multiply = |p, q| {
-                quaternion::scaled_product(
+                quaternion::representable_product(
                     preset.handedness,
                     &pick(left, p, q).components,
                     &pick(right, p, q).components,
@@ -68,17 +67,17 @@ pub(crate) fn compose(
             };
             let place = products.len();
             let direction = preset.operator();
-            let first_matrix =
-                Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?.matrix(direction);
-            let matrix = Rotation::from_tagged(&unit_product)?.matrix(direction);
+            let first = Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?;
+            let both = Rotation::from_tagged(&unit_product)?;
             products.push(Product {
                 convention: preset,
                 left,
                 right,
                 quaternion: Components::of(&typed_product, preset.order),
-                matrix: rows3(&matrix),
-                images: times_within_range(&first_matrix, vector)
-                    .zip(times_within_range(&matrix, vector))
+                matrix: rows3(&both.matrix(direction)),
+                images: first
+                    .rotate_within_range(vector, direction)
+                    .zip(both.rotate_within_range(vector, direction))
                     .map(|(first, second)| [coordinates(&first), coordinates(&second)]),
                 direction,
                 frames: frames(direction),

@@ -8,14 +8,15 @@ use crate::convention::Direction;
 use crate::rotation::Rotation;
 use crate::scaling;
 use nalgebra::{Matrix3, Vector3};
+use twofloat::TwoFloat;
 
 impl Rotation {
     /// The matrix `R_WB`, which is `R(q)` of the canonical quaternion: body coordinates to world
     /// coordinates.
     ///
     /// `[(w² − v·v) I + 2 w [v]× + 2 v vᵀ] / |q|²` with `v = (x, y, z)` (specification, section
-    /// 1.4, any norm). `nalgebra` leaves out the division, and so gives 1.0000000000000002 for a
-    /// quarter turn; with it every entry of that matrix is exact.
+    /// 1.4, any norm), each entry rounded once. `nalgebra` leaves out the division, and so gives
+    /// 1.0000000000000002 for a quarter turn; with it every entry of that matrix is exact.
     ///
     /// ```
     /// use quatlas::{Convention, Rotation, TaggedQuaternion, nalgebra::Matrix3};
@@ -32,21 +33,7 @@ impl Rotation {
     #[must_use]
     #[doc(alias("R(q)", "direction cosine matrix", "DCM"))]
     pub fn body_to_world_matrix(&self) -> Matrix3<f64> {
-        let q = self.canonical();
-        let (w, v) = (q.w, q.vector());
-        let (ww, xx, yy, zz) = (w * w, v.x * v.x, v.y * v.y, v.z * v.z);
-        let twice = |a: f64, b: f64| 2.0 * (a + b);
-        Matrix3::new(
-            (ww + xx) - (yy + zz),
-            twice(v.x * v.y, -w * v.z),
-            twice(v.x * v.z, w * v.y),
-            twice(v.x * v.y, w * v.z),
-            (ww + yy) - (xx + zz),
-            twice(v.y * v.z, -w * v.x),
-            twice(v.x * v.z, -w * v.y),
-            twice(v.y * v.z, w * v.x),
-            (ww + zz) - (xx + yy),
-        ) / (ww + xx + yy + zz)
+        self.precise_matrix().map(|entry| entry.hi())
     }
 
     /// The matrix `R_BW`, which is `C(q)` of the canonical quaternion: world coordinates to body
@@ -65,20 +52,49 @@ impl Rotation {
             Direction::WorldToBody => self.world_to_body_matrix(),
         }
     }
-}
 
-/// The matrix times the vector; `None` where a double cannot hold it.
-///
-/// Computed on a scaled copy, so that only the result itself can be too large.
-pub(crate) fn times_within_range(
-    matrix: &Matrix3<f64>,
-    vector: Vector3<f64>,
-) -> Option<Vector3<f64>> {
-    let exponent = scaling::binary_exponent(vector.as_slice());
-    let scale = |exponent| move |number| scaling::times_power_of_two(number, exponent);
-    let turned = (matrix * vector.map(scale(-exponent))).map(scale(exponent));
-    turned
-        .iter()
-        .all(|number| number.is_finite())
-        .then_some(turned)
+    /// The vector's coordinates after the passive matrix with this direction.
+    pub(crate) fn rotate(&self, vector: Vector3<f64>, direction: Direction) -> Vector3<f64> {
+        let exponent = scaling::binary_exponent(vector.as_slice());
+        let scaled = |number| TwoFloat::from(scaling::times_power_of_two(number, -exponent));
+        let matrix = match direction {
+            Direction::BodyToWorld => self.precise_matrix(),
+            Direction::WorldToBody => self.precise_matrix().transpose(),
+        };
+        (matrix * vector.map(scaled))
+            .map(|number| scaling::times_power_of_two(number.hi(), exponent))
+    }
+
+    /// The same as [`Rotation::rotate`]; `None` where a double cannot hold it.
+    pub(crate) fn rotate_within_range(
+        &self,
+        vector: Vector3<f64>,
+        direction: Direction,
+    ) -> Option<Vector3<f64>> {
+        let turned = self.rotate(vector, direction);
+        let is_finite = turned.iter().all(|number| number.is_finite());
+        is_finite.then_some(turned)
+    }
+
+    fn precise_matrix(&self) -> Matrix3<TwoFloat> {
+        let q = self.canonical();
+        let (w, x, y, z) = (q.w, q.i, q.j, q.k);
+        let times = TwoFloat::new_mul;
+        let (ww, xx, yy, zz) = (times(w, w), times(x, x), times(y, y), times(z, z));
+        let (xy, xz, yz) = (times(x, y), times(x, z), times(y, z));
+        let (wx, wy, wz) = (times(w, x), times(w, y), times(w, z));
+        let norm_squared = (ww + xx) + (yy + zz);
+        Matrix3::new(
+            (ww + xx) - (yy + zz),
+            (xy - wz) * 2.0,
+            (xz + wy) * 2.0,
+            (xy + wz) * 2.0,
+            (ww + yy) - (xx + zz),
+            (yz - wx) * 2.0,
+            (xz - wy) * 2.0,
+            (yz + wx) * 2.0,
+            (ww + zz) - (xx + yy),
+        )
+        .map(|numerator| numerator / norm_squared)
+    }
 }

@@ -4,9 +4,10 @@
 //! knows which rotation they stand for.
 
 use crate::convention::{ComponentOrder, Convention, Handedness};
-use crate::scaling::{self, Norm};
+use crate::scaling::{self, Norm, UNIT_ROUNDOFF};
 use nalgebra::{Matrix4, Quaternion};
 use std::fmt;
+use twofloat::TwoFloat;
 
 /// Two quaternions of different conventions were multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +39,9 @@ pub struct TaggedQuaternion {
 
 /// The Hamilton product `p ⊙ q`, in which `ij = k`.
 ///
-/// For all quaternions; the first factor is the left one (Cheng 2018, eq. 2.2).
+/// For all quaternions; the first factor is the left one (Cheng 2018, eq. 2.2). Each component is
+/// rounded once, so that the error is half a unit in the last place where `nalgebra` is off by two;
+/// nothing overflows on the way.
 ///
 /// ```
 /// use quatlas::{hamilton_product, nalgebra::Quaternion};
@@ -49,7 +52,13 @@ pub struct TaggedQuaternion {
 #[must_use]
 #[doc(alias = "⊙")]
 pub fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> Quaternion<f64> {
-    left * right
+    let left_scale = scaling::working_scale(left.coords.as_slice());
+    let right_scale = scaling::working_scale(right.coords.as_slice());
+    let product = scaling::hamilton_product(
+        &scaling::scale(left, left_scale),
+        &scaling::scale(right, right_scale),
+    );
+    scaling::scale(&scaling::rounded(product), -left_scale - right_scale)
 }
 
 /// The JPL (Shuster) product `p ⊗ q`, in which `ij = -k`.
@@ -65,7 +74,7 @@ pub fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> Quat
 #[must_use]
 #[doc(alias("⊗", "shuster_product"))]
 pub fn jpl_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> Quaternion<f64> {
-    right * left
+    hamilton_product(right, left)
 }
 
 impl TaggedQuaternion {
@@ -166,12 +175,18 @@ impl TaggedQuaternion {
     /// ```
     #[must_use]
     pub fn inverse(&self) -> Option<Self> {
-        if (self.norm() - 1.0).abs() <= UNIT_NORM_TOLERANCE {
-            return Some(self.conjugate());
-        }
-        let exponent = scaling::binary_exponent(self.components.coords.as_slice());
-        let scaled = scale(&self.components, -exponent);
-        let inverse = scale(&scaled.try_inverse()?, -exponent);
+        let norm = Norm::of(self.components.coords.as_slice());
+        let inverse = match norm.rounded_power_of_two() {
+            _ if norm.is_zero() => return None,
+            Some(exponent) => scaling::scale(&self.components.conjugate(), -2 * exponent),
+            None => Quaternion {
+                coords: self.components.conjugate().coords.map(|number| {
+                    let scaled = scaling::times_power_of_two(number, -norm.exponent);
+                    let quotient = TwoFloat::from(scaled) / norm.fraction / norm.fraction;
+                    scaling::times_power_of_two(quotient.hi(), -norm.exponent)
+                }),
+            },
+        };
         is_representable(&inverse).then_some(Self {
             components: inverse,
             ..*self
@@ -247,49 +262,35 @@ pub(crate) fn product(
     }
 }
 
-/// A product that neither overflows nor underflows on the way.
-///
-/// `None` where a double cannot hold the result.
-pub(crate) fn scaled_product(
+/// The product, `None` where a double cannot hold it.
+pub(crate) fn representable_product(
     handedness: Handedness,
     left: &Quaternion<f64>,
     right: &Quaternion<f64>,
 ) -> Option<Quaternion<f64>> {
-    let left_exponent = scaling::binary_exponent(left.coords.as_slice());
-    let right_exponent = scaling::binary_exponent(right.coords.as_slice());
-    let scaled = product(
-        handedness,
-        &scale(left, -left_exponent),
-        &scale(right, -right_exponent),
-    );
-    let exact = scale(&scaled, left_exponent + right_exponent);
-    is_representable(&exact).then_some(exact)
+    Some(product(handedness, left, right)).filter(is_representable)
 }
 
-/// How far a norm may be from 1 and still be that of a rounded unit quaternion: each of the four
-/// components is off by at most half a unit in the last place (2^-53 relative), and so is the norm,
-/// whose own computation adds about as much again.
-pub(crate) const UNIT_NORM_TOLERANCE: f64 = 4.0 * (f64::EPSILON / 2.0);
+/// How far a typed norm may be from 1 without a word: the components of a unit quaternion that some
+/// program computed are off by a few roundings each.
+pub(crate) const UNIT_NORM_TOLERANCE: f64 = 4.0 * UNIT_ROUNDOFF;
 
-/// A quaternion that is as near to norm 1 as rounding allows is left as it is.
+/// Each component within one roundoff of the exact quotient by the norm.
+///
+/// A quaternion whose norm is 1 but for the rounding of its components is left as it is, which is
+/// as near. So is one that is such a quaternion times a power of two.
 pub(crate) fn normalize(quaternion: &Quaternion<f64>) -> Option<Quaternion<f64>> {
     let numbers = quaternion.coords.as_slice();
     let norm = Norm::of(numbers);
-    if norm.fraction == 0.0 || !numbers.iter().all(|number| number.is_finite()) {
+    if norm.is_zero() || !numbers.iter().all(|number| number.is_finite()) {
         return None;
     }
-    if (norm.value() - 1.0).abs() <= UNIT_NORM_TOLERANCE {
-        return Some(*quaternion);
-    }
-    Some(scale(quaternion, -norm.exponent) / norm.fraction)
-}
-
-fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f64> {
-    Quaternion {
-        coords: quaternion
-            .coords
-            .map(|number| scaling::times_power_of_two(number, exponent)),
-    }
+    Some(match norm.rounded_power_of_two() {
+        Some(exponent) => scaling::scale(quaternion, -exponent),
+        None => Quaternion {
+            coords: quaternion.coords.map(|number| norm.divide(number)),
+        },
+    })
 }
 
 /// Whether the numbers are finite, and the largest of them not subnormal (it would have lost digits).

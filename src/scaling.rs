@@ -1,6 +1,20 @@
-//! Exact scaling by powers of two, so that squares neither overflow nor underflow.
+//! Numbers out of reach of overflow, underflow and rounding: exact scaling by powers of two, and
+//! sums of products with 106 bits that are rounded once.
+//!
+//! The doubled precision is `twofloat`'s (Joldes, Muller & Popescu 2017). It is what makes the last
+//! digit of a product, a matrix or a norm right; plain doubles lose two to six units of it.
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
+use twofloat::TwoFloat;
+
+/// Half a unit in the last place of 1: the largest relative error of one rounding.
+pub(crate) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// Scaled numbers have their largest magnitude in `[2^399, 2^400)`.
+///
+/// So high, that the smallest double beside 1 is a normal number there and keeps its digits when it
+/// is halved; so low, that the sum of squares is far from the largest double.
+const WORKING_EXPONENT: i32 = 400;
 
 /// The exponent `e` for which the largest magnitude is `m * 2^e` with `m` in [1/2, 1).
 ///
@@ -15,37 +29,94 @@ pub(crate) fn times_power_of_two(number: f64, exponent: i32) -> f64 {
     libm::scalbn(number, exponent)
 }
 
+/// The power of two that brings these numbers to the working size.
+pub(crate) fn working_scale(numbers: &[f64]) -> i32 {
+    WORKING_EXPONENT - binary_exponent(numbers)
+}
+
+/// The quaternion times `2^exponent`.
+pub(crate) fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f64> {
+    let scaled = |number| times_power_of_two(number, exponent);
+    Quaternion {
+        coords: quaternion.coords.map(scaled),
+    }
+}
+
 /// A Euclidean norm, `fraction * 2^exponent`, which may be larger than any double.
 #[derive(Clone, Copy)]
 pub(crate) struct Norm {
-    /// 0, or in [1/2, 2]: the norm of the numbers scaled by `2^-exponent`.
-    pub(crate) fraction: f64,
+    /// 0, or in `[2^399, 2^401]`: the norm of the numbers scaled by `2^-exponent`.
+    pub(crate) fraction: TwoFloat,
     pub(crate) exponent: i32,
 }
 
 impl Norm {
     pub(crate) fn of(numbers: &[f64]) -> Self {
-        let exponent = binary_exponent(numbers);
-        let sum_of_squares: f64 = numbers
+        let scale = working_scale(numbers);
+        let sum_of_squares = numbers
             .iter()
-            .map(|&number| times_power_of_two(number, -exponent))
-            .map(|number| number * number)
-            .sum();
+            .map(|&number| times_power_of_two(number, scale))
+            .map(|number| TwoFloat::new_mul(number, number))
+            .fold(TwoFloat::from(0.0), |sum, square| sum + square);
         Self {
-            fraction: libm::sqrt(sum_of_squares),
-            exponent,
+            fraction: sum_of_squares.sqrt(),
+            exponent: -scale,
         }
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.fraction.hi() == 0.0
     }
 
     /// As a double; infinite where it is larger than any.
     pub(crate) fn value(self) -> f64 {
-        times_power_of_two(self.fraction, self.exponent)
+        times_power_of_two(self.fraction.hi(), self.exponent)
+    }
+
+    /// The exponent `e` of the power of two `2^e` that the norm is but for a rounding of the
+    /// numbers; `None` where it is none.
+    ///
+    /// Rounding each component of a quaternion of norm 1 to a double changes the norm by at most
+    /// one roundoff.
+    pub(crate) fn rounded_power_of_two(self) -> Option<i32> {
+        let (fraction, exponent) = libm::frexp(self.fraction.hi());
+        let nearest = if fraction > 0.75 {
+            exponent
+        } else {
+            exponent - 1
+        };
+        let power = times_power_of_two(1.0, nearest);
+        let deviation = (self.fraction - power) / power;
+        (deviation.hi().abs() <= UNIT_ROUNDOFF).then_some(nearest + self.exponent)
+    }
+
+    /// A number divided by the norm, rounded once.
+    pub(crate) fn divide(self, number: f64) -> f64 {
+        (TwoFloat::from(times_power_of_two(number, -self.exponent)) / self.fraction).hi()
     }
 }
 
 /// The vector of length 1 with the same direction; `None` for the zero vector.
 pub(crate) fn direction(vector: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let Norm { fraction, exponent } = Norm::of(vector.as_slice());
-    let scaled = vector.map(|number| times_power_of_two(number, -exponent));
-    (fraction > 0.0).then(|| scaled / fraction)
+    let norm = Norm::of(vector.as_slice());
+    (!norm.is_zero()).then(|| vector.map(|number| norm.divide(number)))
+}
+
+/// The Hamilton product `[w, x, y, z]` with 106 bits.
+///
+/// Summed in pairs, each of which is small by itself where the factors are conjugate but for a small
+/// difference; so the relative rotation of two near attitudes keeps its digits.
+pub(crate) fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> [TwoFloat; 4] {
+    let (l, r, times) = (left, right, TwoFloat::new_mul);
+    [
+        (times(l.w, r.w) - times(l.i, r.i)) - (times(l.j, r.j) + times(l.k, r.k)),
+        (times(l.w, r.i) + times(l.i, r.w)) + (times(l.j, r.k) - times(l.k, r.j)),
+        (times(l.w, r.j) + times(l.j, r.w)) + (times(l.k, r.i) - times(l.i, r.k)),
+        (times(l.w, r.k) + times(l.k, r.w)) + (times(l.i, r.j) - times(l.j, r.i)),
+    ]
+}
+
+/// The quaternion of four components `[w, x, y, z]`, each rounded once.
+pub(crate) fn rounded([w, x, y, z]: [TwoFloat; 4]) -> Quaternion<f64> {
+    Quaternion::new(w.hi(), x.hi(), y.hi(), z.hi())
 }

@@ -105,6 +105,17 @@ pub enum Function {
     Active,
 }
 
+impl Function {
+    /// The direction of the passive matrix or quaternion that has the same numbers: the active one
+    /// from X to Y is the inverse of the passive one.
+    pub(crate) const fn passive_direction(self, direction: Direction) -> Direction {
+        match self {
+            Self::Passive => direction,
+            Self::Active => direction.reversed(),
+        }
+    }
+}
+
 names!(Function {
     Passive: "passive" | "alias",
     Active: "active" | "alibi",
@@ -227,6 +238,28 @@ impl Convention {
         perturbation: Perturbation::Local,
     };
 
+    /// JPL as in Yoosefian 2021, eq. 18: body to world, so that its matrix is Hamilton's and its
+    /// numbers are the conjugate.
+    pub const JPL_BODY_TO_WORLD: Self = Self {
+        direction: Direction::BodyToWorld,
+        ..Self::JPL
+    };
+
+    /// The field guide's "My Lab": active, world to body; the numbers are Hamilton's.
+    ///
+    /// The guide pairs it with the passive matrix of the same direction, `R_BW`.
+    pub const MY_LAB: Self = Self {
+        function: Function::Active,
+        direction: Direction::WorldToBody,
+        ..Self::HAMILTON
+    };
+
+    /// Hamilton with the scalar last, as Eigen and ROS store it.
+    pub const HAMILTON_SCALAR_LAST: Self = Self {
+        order: ComponentOrder::ScalarLast,
+        ..Self::HAMILTON
+    };
+
     /// Which matrix the quaternion acts with: `q∘x∘q⁻¹` takes the coordinates of `x` in this
     /// direction, `∘` being the convention's own product.
     ///
@@ -234,10 +267,7 @@ impl Convention {
     #[must_use]
     #[doc(alias = "tau")]
     pub const fn operator(self) -> Direction {
-        match self.function {
-            Function::Passive => self.direction,
-            Function::Active => self.direction.reversed(),
-        }
+        self.function.passive_direction(self.direction)
     }
 
     /// The sign σ of the vector part against the canonical quaternion (specification, 1.3).
@@ -306,6 +336,9 @@ fn preset(name: &str) -> Option<Convention> {
     match name.to_ascii_lowercase().as_str() {
         "hamilton" => Some(Convention::HAMILTON),
         "jpl" | "shuster" => Some(Convention::JPL),
+        "jpl-eq18" => Some(Convention::JPL_BODY_TO_WORLD),
+        "my-lab" => Some(Convention::MY_LAB),
+        "eigen" | "ros" => Some(Convention::HAMILTON_SCALAR_LAST),
         _ => None,
     }
 }

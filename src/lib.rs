@@ -73,12 +73,18 @@ pub mod parse;
 // Exact scaling, so that squares neither overflow nor underflow.
 /// Rotation to and from axis, angle and rotation vector.
 pub mod axis_angle;
+/// Rotation to and from Euler angles.
+pub mod euler;
 /// Rotation to matrix.
 pub mod matrix;
+/// The rotation nearest to nine numbers.
+pub mod nearest_rotation;
 /// Four numbers with the convention that says what they mean.
 pub mod quaternion;
 /// The canonical rotation and its two gates.
 pub mod rotation;
+/// Nine numbers with the convention that says what they mean.
+pub mod rotation_matrix;
 mod scaling;
 // Two quaternions together.
 mod compose;
@@ -96,13 +102,16 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
+pub use euler::{EulerAngles, GimbalLock};
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
+pub use nearest_rotation::{NearestRotation, NoNearestRotation};
 pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
 pub use request::{ComposeRequest, ReadRequest, Request};
 pub use rotation::{NoRotation, Rotation};
+pub use rotation_matrix::{CosineMatrix, MatrixConvention, ROTATION_TOLERANCE, TaggedMatrix};
 
 /// The examples of the README, compiled and run.
 #[cfg(doctest)]

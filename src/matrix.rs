@@ -95,6 +95,6 @@ impl Rotation {
             (yz + wx) * 2.0,
             (ww + zz) - (xx + yy),
         )
-        .map(|numerator| numerator / norm_squared)
+        .map(|numerator| scaling::quotient(numerator, norm_squared))
     }
 }

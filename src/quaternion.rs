@@ -4,10 +4,9 @@
 //! knows which rotation they stand for.
 
 use crate::convention::{ComponentOrder, Convention, Handedness};
-use crate::scaling::{self, Norm, UNIT_ROUNDOFF};
+use crate::scaling::{self, Norm, UNIT_ROUNDOFF, quotient};
 use nalgebra::{Matrix4, Quaternion};
 use std::fmt;
-use twofloat::TwoFloat;
 
 /// Two quaternions of different conventions were multiplied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,8 +181,9 @@ impl TaggedQuaternion {
             None => Quaternion {
                 coords: self.components.conjugate().coords.map(|number| {
                     let scaled = scaling::times_power_of_two(number, -norm.exponent);
-                    let quotient = TwoFloat::from(scaled) / norm.fraction / norm.fraction;
-                    scaling::times_power_of_two(quotient.hi(), -norm.exponent)
+                    let unit = quotient(scaled.into(), norm.fraction);
+                    let inverse = quotient(unit, norm.fraction);
+                    scaling::times_power_of_two(inverse.hi(), -norm.exponent)
                 }),
             },
         };

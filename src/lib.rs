@@ -73,8 +73,12 @@ pub mod parse;
 // Exact scaling, so that squares neither overflow nor underflow.
 /// Rotation to and from axis, angle and rotation vector.
 pub mod axis_angle;
+/// How far two attitudes are apart.
+pub mod distance;
 /// Rotation to and from Euler angles.
 pub mod euler;
+/// Attitudes between attitudes.
+pub mod interpolation;
 /// Rotation to matrix.
 pub mod matrix;
 /// The rotation nearest to nine numbers.

@@ -8,7 +8,7 @@
 
 use crate::rotation::Rotation;
 use crate::scaling;
-use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3};
+use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::fmt;
 use twofloat::TwoFloat;
 
@@ -58,29 +58,39 @@ impl NearestRotation {
         if !matrix.iter().all(|entry| entry.is_finite()) {
             return Err(NoNearestRotation::NotFinite);
         }
-        let exponent = scaling::binary_exponent(matrix.as_slice());
-        let unit_size = matrix.map(|entry| scaling::times_power_of_two(entry, -exponent));
-        let dominant = Dominant::of(&davenport(&unit_size.map(TwoFloat::from)));
-        if dominant.gap < SMALLEST_GAP {
-            return Err(NoNearestRotation::Singular);
-        }
-        if unit_size.determinant() < 0.0 {
+        let rotation = nearest(matrix).ok_or(NoNearestRotation::Singular)?;
+        if unit_size(matrix).determinant() < 0.0 {
             return Err(NoNearestRotation::Reflection);
         }
-        let scale = scaling::working_scale(matrix.as_slice());
-        let k = davenport(
-            &matrix.map(|entry| TwoFloat::from(scaling::times_power_of_two(entry, scale))),
-        );
-        let eigenvalue = scaling::times_power_of_two(dominant.eigenvalue, exponent + scale);
-        let [w, x, y, z] =
-            eigenvector(&k, dominant.pivot, eigenvalue).ok_or(NoNearestRotation::Singular)?;
-        let rotation = Rotation::from_canonical(&Quaternion::new(w, x, y, z));
         let difference = matrix - rotation.body_to_world_matrix();
         Ok(Self {
             rotation,
             correction: scaling::Norm::of(difference.as_slice()).value(),
         })
     }
+}
+
+/// The rotation nearest to a finite matrix; `None` where no one is nearer than all others.
+pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
+    let dominant = Dominant::of(&davenport(&unit_size(matrix).map(TwoFloat::from)));
+    if dominant.gap < SMALLEST_GAP {
+        return None;
+    }
+    let scale = scaling::working_scale(matrix.as_slice());
+    let working_size = |entry| TwoFloat::from(scaling::times_power_of_two(entry, scale));
+    let eigenvalue = scaling::working_size(dominant.eigenvalue);
+    let q = eigenvector(
+        &davenport(&matrix.map(working_size)),
+        dominant.pivot,
+        eigenvalue,
+    )?;
+    Some(Rotation::from_precise(q))
+}
+
+/// The matrix times the power of two that makes its largest entry 1/2 or more, and less than 1.
+fn unit_size(matrix: &Matrix3<f64>) -> Matrix3<f64> {
+    let exponent = scaling::binary_exponent(matrix.as_slice());
+    matrix.map(|entry| scaling::times_power_of_two(entry, -exponent))
 }
 
 /// Davenport's matrix on `[w, x, y, z]`.
@@ -154,11 +164,11 @@ impl Dominant {
 /// With that component held at `s`, the other three and the eigenvalue are `K q = λ q`: of
 /// `K = [[k, bᵀ], [b, A]]` and `q = [s, y]` these are `λ = k + b·y/s` and `b s + A y = λ y`. A small
 /// `y` has a small `b`, so no digit of it is lost against 1.
-fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[f64; 4]> {
+fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[TwoFloat; 4]> {
     let others: Vec<usize> = (0..4).filter(|&place| place != pivot).collect();
     let b = Vector3::from_fn(|row, _| k[(others[row], pivot)]);
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
-    let s = scaling::times_power_of_two(1.0, scaling::working_scale(&[1.0]));
+    let s = scaling::working_size(1.0);
 
     let in_doubles = |number: TwoFloat| number.hi();
     let a_minus = |eigenvalue| a.map(in_doubles) - Matrix3::from_diagonal_element(eigenvalue);
@@ -174,10 +184,9 @@ fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[
             .solve(&residual.map(in_doubles))?
             .map(TwoFloat::from);
     }
-    let mut components = [0.0; 4];
-    components[pivot] = s;
-    for (place, number) in others.into_iter().zip(y.iter()) {
-        components[place] = number.hi();
+    let mut components = [TwoFloat::from(s); 4];
+    for (place, &number) in others.into_iter().zip(y.iter()) {
+        components[place] = number;
     }
     Some(components)
 }

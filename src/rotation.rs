@@ -9,6 +9,7 @@ use crate::scaling;
 use nalgebra::{Quaternion, Vector3};
 use std::fmt;
 use std::ops::Mul;
+use twofloat::TwoFloat;
 
 /// These numbers are not a rotation: they are all zero, or not all finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +60,7 @@ impl Mul for Rotation {
     /// `R_WC = R_WB R_BC`.
     fn mul(self, second: Self) -> Self {
         let product = scaling::hamilton_product(&self.body_to_world, &second.body_to_world);
-        // Two quaternions that are not zero have a product that is not, as the norms multiply.
-        Self::from_canonical(&scaling::rounded(product))
+        Self::from_precise(product)
     }
 }
 
@@ -115,6 +115,17 @@ impl Rotation {
         let scale = scaling::working_scale(body_to_world.coords.as_slice());
         Self {
             body_to_world: scaling::scale(body_to_world, scale),
+        }
+    }
+
+    /// The rotation with this canonical quaternion `[w, x, y, z]`, rounded only once its norm is a
+    /// power of two, so that no other rounding follows.
+    ///
+    /// Zero, which no two rotations make, is taken for the identity.
+    pub(crate) fn from_precise(components: [TwoFloat; 4]) -> Self {
+        match scaling::rounded_direction(components) {
+            Some(body_to_world) => Self { body_to_world },
+            None => Self::identity(),
         }
     }
 

@@ -34,6 +34,11 @@ pub(crate) fn working_scale(numbers: &[f64]) -> i32 {
     WORKING_EXPONENT - binary_exponent(numbers)
 }
 
+/// The number at the working size, where 1 is `2^400`.
+pub(crate) fn working_size(number: f64) -> f64 {
+    times_power_of_two(number, WORKING_EXPONENT)
+}
+
 /// The quaternion times `2^exponent`.
 pub(crate) fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f64> {
     let scaled = |number| times_power_of_two(number, exponent);
@@ -125,6 +130,21 @@ pub(crate) fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) 
         (times(l.w, r.j) + times(l.j, r.w)) + (times(l.k, r.i) - times(l.i, r.k)),
         (times(l.w, r.k) + times(l.k, r.w)) + (times(l.i, r.j) - times(l.j, r.i)),
     ]
+}
+
+/// The quaternion of norm `2^399` with the direction of `[w, x, y, z]`, each component rounded once.
+///
+/// For components of at most the working size, squared. `None` where all are zero.
+pub(crate) fn rounded_direction(components: [TwoFloat; 4]) -> Option<Quaternion<f64>> {
+    let exponent = binary_exponent(&components.map(|number| number.hi()));
+    let power = times_power_of_two(1.0, WORKING_EXPONENT - exponent);
+    let scaled = components.map(|number| number * power);
+    let sum_of_squares = scaled
+        .iter()
+        .fold(TwoFloat::from(0.0), |sum, &number| sum + number * number);
+    let size = times_power_of_two(1.0, WORKING_EXPONENT - 1);
+    let norm = sum_of_squares.sqrt();
+    (norm.hi() > 0.0).then(|| rounded(scaled.map(|number| quotient(number * size, norm))))
 }
 
 /// The quaternion of four components `[w, x, y, z]`, each rounded once.

@@ -62,7 +62,7 @@ impl Rotation {
         }
     }
 
-    /// The smaller of the distances of the unit quaternions q_A to q_B and to −q_B, from 0 to √2.
+    /// The smaller of the distances of the unit quaternions p to q and to −q, from 0 to √2.
     ///
     /// A distance of attitudes: `2 sin(θ/4)` (specification, 004-Q.21).
     #[must_use]

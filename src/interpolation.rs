@@ -30,8 +30,7 @@ impl Rotation {
     /// ```
     #[must_use]
     pub fn slerp(&self, other: &Self, t: f64) -> Self {
-        // NaN is taken for 0: min and max prefer the number.
-        let t = t.max(0.0).min(1.0);
+        let t = if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
         let relative = self.turn_to(other);
         let q = relative.canonical();
         let half_angle = libm::atan2(Norm::of(q.vector().as_slice()).value(), q.w.abs());

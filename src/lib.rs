@@ -77,18 +77,28 @@ pub mod axis_angle;
 pub mod distance;
 /// Rotation to and from Euler angles.
 pub mod euler;
+/// Euler angle rates.
+pub mod euler_rates;
 /// Attitudes between attitudes.
 pub mod interpolation;
+/// How attitudes change in time.
+pub mod kinematics;
 /// Rotation to matrix.
 pub mod matrix;
 /// The rotation nearest to nine numbers.
 pub mod nearest_rotation;
+/// Small turns added to attitudes and taken between them.
+pub mod perturbation;
+/// Poses between named frames.
+pub mod pose;
 /// Four numbers with the convention that says what they mean.
 pub mod quaternion;
 /// The canonical rotation and its two gates.
 pub mod rotation;
 /// Nine numbers with the convention that says what they mean.
 pub mod rotation_matrix;
+/// Rotation vectors: composition, Jacobians, and their relatives.
+pub mod rotation_vector;
 mod scaling;
 // Two quaternions together.
 mod compose;
@@ -107,15 +117,23 @@ pub use convention::{
     UnknownName,
 };
 pub use euler::{EulerAngles, GimbalLock};
+pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
+pub use kinematics::{IntegrationOrder, RateAxes, action_jacobian};
 pub use nearest_rotation::{NearestRotation, NoNearestRotation};
 pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
+pub use perturbation::{IncrementSign, Side, small_angle_matrix, small_angle_quaternion};
+pub use pose::{FramesDoNotMeet, Pose};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
 pub use request::{ComposeRequest, ReadRequest, Request};
 pub use rotation::{NoRotation, Rotation};
 pub use rotation_matrix::{CosineMatrix, MatrixConvention, ROTATION_TOLERANCE, TaggedMatrix};
+pub use rotation_vector::{
+    AxisVector, compose_rotation_vectors, half_angle_exponential, left_jacobian,
+    left_jacobian_inverse, right_jacobian, right_jacobian_inverse,
+};
 
 /// The examples of the README, compiled and run.
 #[cfg(doctest)]

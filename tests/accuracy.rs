@@ -25,7 +25,6 @@ fn every_conversion_keeps_its_bound() {
                 );
             }
         }
-        println!("{}: {:.3} of {}", operation.name, worst.0, operation.bound);
         if worst.0 > operation.bound {
             failures.push(format!("{}: {:.3} u, {}", operation.name, worst.0, worst.1));
         }

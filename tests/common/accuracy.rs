@@ -9,14 +9,14 @@ use quatlas::{
 use serde_json::Value;
 
 /// Half a unit in the last place of 1.
-pub const U: f64 = f64::EPSILON / 2.0;
+pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
 /// A decimal number, exactly: `digits * 10^exponent`.
-pub struct Reference {
+pub(crate) struct Reference {
     digits: BigInt,
     exponent: i32,
     /// The nearest double.
-    pub nearest: f64,
+    pub(crate) nearest: f64,
 }
 
 impl Reference {
@@ -32,7 +32,7 @@ impl Reference {
     }
 
     /// `number - self`, rounded only at the end.
-    pub fn difference(&self, number: f64) -> f64 {
+    pub(crate) fn difference(&self, number: f64) -> f64 {
         let (mantissa, power) = integer_times_power_of_two(number);
         // Over the common denominator 10^a 2^b both are integers.
         let tens = BigInt::from(10).pow(self.exponent.unsigned_abs());
@@ -75,11 +75,11 @@ fn quotient(numerator: &BigInt, denominator: &BigInt) -> f64 {
     libm::scalbn(above / below, above_excess - below_excess)
 }
 
-pub struct Case {
-    pub group: String,
-    pub sequence: Option<EulerSequence>,
-    pub input: Vec<f64>,
-    pub output: Vec<Reference>,
+pub(crate) struct Case {
+    pub(crate) group: String,
+    pub(crate) sequence: Option<EulerSequence>,
+    pub(crate) input: Vec<f64>,
+    pub(crate) output: Vec<Reference>,
 }
 
 impl Case {
@@ -109,26 +109,26 @@ impl Case {
         }
     }
 
-    pub fn quaternion(&self, place: usize) -> TaggedQuaternion {
+    pub(crate) fn quaternion(&self, place: usize) -> TaggedQuaternion {
         let [w, x, y, z] = self.array(place);
         TaggedQuaternion::new(w, x, y, z, Convention::HAMILTON)
     }
 
-    pub fn rotation(&self, place: usize) -> Rotation {
+    pub(crate) fn rotation(&self, place: usize) -> Rotation {
         Rotation::from_tagged(&self.quaternion(place)).expect("not zero")
     }
 
-    pub fn array<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {
+    pub(crate) fn array<const COUNT: usize>(&self, place: usize) -> [f64; COUNT] {
         self.input[place..place + COUNT]
             .try_into()
             .expect("as many numbers")
     }
 
-    pub fn vector(&self, place: usize) -> Vector3<f64> {
+    pub(crate) fn vector(&self, place: usize) -> Vector3<f64> {
         self.array::<3>(place).into()
     }
 
-    pub fn sequence(&self) -> EulerSequence {
+    pub(crate) fn sequence(&self) -> EulerSequence {
         self.sequence.expect("a sequence")
     }
 
@@ -154,7 +154,7 @@ fn norm(numbers: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// The cases of an operation.
-pub fn cases(operation: &str) -> Vec<Case> {
+pub(crate) fn cases(operation: &str) -> Vec<Case> {
     let file: Value = serde_json::from_str(include_str!("../vectors/accuracy.json")).expect("JSON");
     let cases = file["operations"][operation].as_array().expect("cases");
     cases.iter().map(Case::of).collect()
@@ -162,7 +162,7 @@ pub fn cases(operation: &str) -> Vec<Case> {
 
 /// How an error is measured, in u.
 #[derive(Clone, Copy)]
-pub enum Measure {
+pub(crate) enum Measure {
     /// The worst relative error of a component.
     EachRelative,
     /// The worst error of a component.
@@ -181,7 +181,7 @@ pub enum Measure {
 
 impl Measure {
     /// The error in u. Half of the smallest double is always allowed: no result is nearer.
-    pub fn error(self, case: &Case, got: &[f64]) -> f64 {
+    pub(crate) fn error(self, case: &Case, got: &[f64]) -> f64 {
         if got.iter().any(|number| !number.is_finite()) {
             return f64::INFINITY;
         }
@@ -207,7 +207,9 @@ impl Measure {
                     error => error.abs() / exact.nearest.abs(),
                 })
                 .fold(0.0, f64::max),
-            Self::EachAbsolute => differences.iter().fold(0.0_f64, |most, d| most.max(d.abs())),
+            Self::EachAbsolute => differences
+                .iter()
+                .fold(0.0_f64, |most, d| most.max(d.abs())),
             Self::Relative => relative(&differences),
             Self::RelativeUpToSign => {
                 let negative: Vec<f64> = got.iter().map(|number| -number).collect();
@@ -260,13 +262,13 @@ fn in_one_turn(difference: f64) -> f64 {
 }
 
 /// An operation of the core with the bound that it must keep, in u.
-pub struct Operation {
-    pub name: &'static str,
+pub(crate) struct Operation {
+    pub(crate) name: &'static str,
     /// Where its cases are.
-    pub cases: &'static str,
-    pub measure: Measure,
-    pub bound: f64,
-    pub run: fn(&Case) -> Vec<f64>,
+    pub(crate) cases: &'static str,
+    pub(crate) measure: Measure,
+    pub(crate) bound: f64,
+    pub(crate) run: fn(&Case) -> Vec<f64>,
 }
 
 fn hamilton(rotation: &Rotation) -> Vec<f64> {
@@ -289,7 +291,7 @@ fn euler(case: &Case) -> Vec<f64> {
 }
 
 /// All operations with a bound.
-pub const OPERATIONS: &[Operation] = &[
+pub(crate) const OPERATIONS: &[Operation] = &[
     Operation {
         name: "normalise",
         cases: "normalize",

@@ -88,6 +88,9 @@ fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         vector: coordinates(&vector),
         hamilton,
         jpl,
+        declared: attitude.column(attitude.tagged.convention, vector),
+        rules: rules(attitude.tagged.convention),
+        euler: euler(&attitude.rotation, request.euler),
         jpl_with_same_matrix: Components::of(
             &attitude.tagged.to_convention(same_matrix).components,
             same_matrix.order,
@@ -273,9 +276,41 @@ impl Attitude {
     }
 }
 
+fn rules(convention: Convention) -> Rules {
+    let side = |is_left| if is_left { Side::Left } else { Side::Right };
+    Rules {
+        is_canonical: convention.component_sign() == ComponentSign::Canonical,
+        operator: convention.operator(),
+        labelled_first: side(convention.first_label_is_left()),
+        chain_first: side(convention.first_in_chain_is_left()),
+        increment: convention.increment_side(),
+        body_rate: convention.rate_side(RateAxes::Body),
+    }
+}
+
+fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
+    let found = rotation.euler(sequence);
+    let angles_rad = found
+        .gimbal_lock
+        .map_or(found.angles_rad, |lock| lock.canonical_rad);
+    Euler {
+        sequence,
+        angles_rad: angles_rad.map(plain),
+        angles_deg: angles_rad.map(|angle| plain(angle.to_degrees())),
+        gimbal_lock: found.gimbal_lock.map(|lock| ReadGimbalLock {
+            survivor: lock.survivor,
+            survivor_deg: plain(lock.survivor_rad.to_degrees()),
+            lost: sequence.lost_at_lock(),
+            distance_deg: plain(lock.distance_rad.to_degrees()),
+        }),
+    }
+}
+
 fn turn(rotation: &Rotation) -> Turn {
     let angle_rad = rotation.angle_rad();
     Turn {
+        gibbs_vector: rotation.gibbs_vector().as_ref().map(coordinates),
+        modified_rodrigues_parameters: coordinates(&rotation.modified_rodrigues_parameters()),
         angle_rad: plain(angle_rad),
         angle_deg: plain(angle_rad.to_degrees()),
         axis: rotation.axis().as_ref().map(coordinates),

@@ -270,6 +270,25 @@ impl Convention {
         self.function.passive_direction(self.direction)
     }
 
+    /// Whether, of two labelled quaternions, that of A to B stands on the left in that of A to C.
+    ///
+    /// Active: `q_AC = q_AB∘q_BC`. Passive: `q_AC = q_BC∘q_AB` (specification, table 2.1). Here A to
+    /// C means what the direction says, coordinates or axes that lead from A to C.
+    #[must_use]
+    pub const fn first_label_is_left(self) -> bool {
+        matches!(self.function, Function::Active)
+    }
+
+    /// Whether, along the chain W–B–C, the quaternion of B in W stands on the left in that of C in W.
+    ///
+    /// `q_WB∘q_BC` where the operator is body to world, `q_BC∘q_WB` where it is world to body; the
+    /// quaternions of the pairs (W, B), (B, C), (W, C), whichever way their labels read
+    /// (specification, MODEL-18).
+    #[must_use]
+    pub const fn first_in_chain_is_left(self) -> bool {
+        matches!(self.operator(), Direction::BodyToWorld)
+    }
+
     /// The sign σ of the vector part against the canonical quaternion (specification, 1.3).
     #[must_use]
     #[doc(alias = "sigma")]

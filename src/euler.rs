@@ -4,6 +4,7 @@ use crate::euler_sequence::{Axis, EulerFrame, EulerSequence};
 use crate::rotation::{NoRotation, Rotation};
 use crate::scaling::Norm;
 use nalgebra::Quaternion;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 use twofloat::TwoFloat;
 
@@ -39,7 +40,9 @@ pub struct GimbalLock {
 }
 
 /// Which combination of the outer angles an attitude in gimbal lock determines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
 pub enum Survivor {
     /// First plus third.
     Sum,

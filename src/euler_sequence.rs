@@ -173,6 +173,13 @@ pub struct EulerSequence {
     pub frame: EulerFrame,
 }
 
+impl Default for EulerSequence {
+    /// The aerospace sequence.
+    fn default() -> Self {
+        Self::AEROSPACE
+    }
+}
+
 impl EulerSequence {
     /// Yaw, pitch, roll about the moving axes z, y, x: the aerospace sequence 3-2-1.
     #[doc(alias("ypr", "Tait-Bryan"))]
@@ -196,6 +203,16 @@ impl EulerSequence {
         of(EulerFrame::Intrinsic)
             .into_iter()
             .chain(of(EulerFrame::Extrinsic))
+    }
+
+    /// The place of the angle that is set to 0 at gimbal lock: that about the body's own axis, the
+    /// last of an intrinsic sequence and the first of an extrinsic one.
+    #[must_use]
+    pub const fn lost_at_lock(self) -> usize {
+        match self.frame {
+            EulerFrame::Intrinsic => 2,
+            EulerFrame::Extrinsic => 0,
+        }
     }
 
     /// Whether the first and the third axis are the same, as in ZYZ: a *proper* Euler sequence.

@@ -23,8 +23,8 @@
 //!
 //! # Reading the code
 //!
-//! The modules below stand in the order of the road; each uses only those above it. Inside the
-//! crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
+//! Each of the modules below uses only those above it: words, rotations, what is asked and answered,
+//! text, and last the road through all of them. Inside the crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
 //! tags at the edge.
 
 // Nothing that is typed may panic. The tests may.
@@ -32,81 +32,120 @@
 
 pub use nalgebra;
 
-// Words: plain types, no mathematics.
+// Words.
 
 /// One problem: a code, a place, what was expected, what to try.
 pub mod problem;
-// The sentence of every problem.
+
 /// What four numbers mean.
 pub mod convention;
+
 /// The 24 Euler sequences.
 pub mod euler_sequence;
-mod messages;
+
+// Numbers to rotations.
+
+// Exact scaling, and sums of products that are rounded once.
+mod scaling;
+
+/// Four numbers with the convention that says what they mean.
+pub mod quaternion;
+
+/// The canonical rotation and its two gates.
+pub mod rotation;
+
+/// Rotation to matrix.
+pub mod matrix;
+
+/// Rotation to and from axis, angle and rotation vector.
+pub mod axis_angle;
+
+/// The rotation nearest to nine numbers.
+pub mod nearest_rotation;
+
+/// Nine numbers with the convention that says what they mean.
+pub mod rotation_matrix;
+
+/// Rotation to and from Euler angles.
+pub mod euler;
+
+// Rotations together and in motion.
+
+/// How far two attitudes are apart.
+pub mod distance;
+
+/// Attitudes between attitudes.
+pub mod interpolation;
+
+/// Rotation vectors: composition, Jacobians, and their relatives.
+pub mod rotation_vector;
+
+/// Small turns added to attitudes and taken between them.
+pub mod perturbation;
+
+/// How attitudes change in time.
+pub mod kinematics;
+
+/// Euler angle rates.
+pub mod euler_rates;
+
+/// Poses between named frames.
+pub mod pose;
+
+// What is asked and answered.
+
+/// One attitude in the report.
+mod report_attitude;
+
+/// What a careful reader should know.
+mod report_notes;
+
 /// What is answered.
 pub mod report;
+
 /// What is asked.
 pub mod request;
 
 // Text to numbers.
 
+// The sentence of every problem.
+mod messages;
+
 // Text to tokens.
 mod lex;
+
 // The arithmetic of typed text.
 mod linear;
+
 // The members that a text consists of.
 mod tree;
+
 // The tokens on their way through the grammar.
 mod input;
+
 // Tokens to a tree.
 mod syntax;
+
 // What a call does with its numbers.
 mod constructor;
+
 // Members with names.
 mod names;
+
 // Members to named components.
 mod meaning;
+
 /// Text to numbers.
 pub mod parse;
 
-// Numbers to rotations.
+// The whole road.
 
-// Exact scaling, so that squares neither overflow nor underflow.
-/// Rotation to and from axis, angle and rotation vector.
-pub mod axis_angle;
-/// How far two attitudes are apart.
-pub mod distance;
-/// Rotation to and from Euler angles.
-pub mod euler;
-/// Euler angle rates.
-pub mod euler_rates;
-/// Attitudes between attitudes.
-pub mod interpolation;
-/// How attitudes change in time.
-pub mod kinematics;
-/// Rotation to matrix.
-pub mod matrix;
-/// The rotation nearest to nine numbers.
-pub mod nearest_rotation;
-/// Small turns added to attitudes and taken between them.
-pub mod perturbation;
-/// Poses between named frames.
-pub mod pose;
-/// Four numbers with the convention that says what they mean.
-pub mod quaternion;
-/// The canonical rotation and its two gates.
-pub mod rotation;
-/// Nine numbers with the convention that says what they mean.
-pub mod rotation_matrix;
-/// Rotation vectors: composition, Jacobians, and their relatives.
-pub mod rotation_vector;
-mod scaling;
 // Two quaternions together.
 mod compose;
 
-// The whole road.
-
 /// A request in, an outcome out.
 pub mod analyze;
+
 /// The only file that knows JavaScript.
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
@@ -116,7 +155,7 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
-pub use euler::{EulerAngles, GimbalLock};
+pub use euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use kinematics::{IntegrationOrder, RateAxes, action_jacobian};

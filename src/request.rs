@@ -1,6 +1,8 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
 use crate::convention::Convention;
+use crate::euler_sequence::EulerSequence;
+use crate::rotation_matrix::MatrixConvention;
 use serde::{Deserialize, Serialize};
 
 /// A question to [`analyze`](crate::analyze()), one kind for each view of the page.
@@ -8,25 +10,31 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(tag = "view", rename_all = "kebab-case")]
 pub enum Request {
-    /// What does this quaternion mean?
+    /// What does this attitude mean?
     Read(ReadRequest),
     /// What do these two make together?
     Compose(ComposeRequest),
 }
 
-/// One quaternion and one vector.
+/// One attitude and one vector.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ReadRequest {
-    /// The quaternion, in any accepted form (see [`parse`](mod@crate::parse)).
+    /// The attitude, as a quaternion or in any other accepted form (see [`parse`](mod@crate::parse)).
     pub quaternion: String,
     /// The vector `x`, in any accepted form.
     pub vector: String,
-    /// What the four numbers are declared to mean.
+    /// What four numbers are declared to mean.
     pub convention: Convention,
+    /// What nine numbers are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+    /// The sequence of the Euler angles in the answer; intrinsic ZYX where it is left out.
+    #[serde(default)]
+    pub euler: EulerSequence,
 }
 
-/// Two quaternions and one vector.
+/// Two attitudes and one vector.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ComposeRequest {
@@ -36,6 +44,9 @@ pub struct ComposeRequest {
     pub q: String,
     /// The vector `x` that both turn, one after the other.
     pub vector: String,
-    /// What the numbers of both are declared to mean.
+    /// What four numbers of either are declared to mean.
     pub convention: Convention,
+    /// What nine numbers of either are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
 }

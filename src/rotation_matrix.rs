@@ -28,6 +28,13 @@ pub struct MatrixConvention {
     pub direction: Direction,
 }
 
+impl Default for MatrixConvention {
+    /// Body to world.
+    fn default() -> Self {
+        Self::BODY_TO_WORLD
+    }
+}
+
 impl MatrixConvention {
     /// `R_WB`: coordinates in the body to coordinates in the world.
     pub const BODY_TO_WORLD: Self = Self {

@@ -34,18 +34,20 @@ pub use nalgebra;
 
 // Words: plain types, no mathematics.
 
-/// One problem: a code, a place, what was expected, what to try.
-pub mod problem;
-// The sentence of every problem.
+/// The unit of an angle.
+pub mod angle;
 /// What four numbers mean.
 pub mod convention;
 /// The 24 Euler sequences.
 pub mod euler_sequence;
 mod messages;
+/// One problem: a code, a place, what was expected, what to try.
+pub mod problem;
 /// What is answered.
 pub mod report;
 /// What is asked.
 pub mod request;
+mod rotation_messages;
 
 // Text to numbers.
 
@@ -63,8 +65,26 @@ mod syntax;
 mod constructor;
 // Members with names.
 mod names;
+// Lists of plain numbers.
+mod numbers;
 // Members to named components.
 mod meaning;
+// Nine numbers to a matrix.
+mod matrix_rows;
+// Angles with units to radians.
+mod angles;
+// An axis and its angle.
+mod axis;
+/// What a text holds when it holds a rotation.
+pub mod representation;
+// Words that are known before numbers.
+mod phrases;
+// What the words of a text announce.
+mod spoken;
+// Calls of libraries that make a rotation.
+mod calls;
+// What is announced in words to a rotation.
+mod announced;
 /// Text to numbers.
 pub mod parse;
 
@@ -92,15 +112,19 @@ pub mod analyze;
 pub mod wasm;
 
 pub use analyze::analyze;
+pub use angle::{AngleUnit, UnitSource};
 pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
-pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
+pub use parse::{ParsedQuaternion, parse_quaternion, parse_rotation, parse_vector};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
+pub use representation::{
+    ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
+};
 pub use request::{ComposeRequest, ReadRequest, Request};
 pub use rotation::{NoRotation, Rotation};
 

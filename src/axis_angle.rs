@@ -73,13 +73,13 @@ impl Rotation {
                 Vector3::from(vector),
             )));
         }
-        // The sine and cosine of a sum, of which the second term is tiny.
+        // The sine and cosine of a sum; the second term is up to 1/16 where the length is 1e15.
         let (sine, cosine) = libm::sincos(half_angle.hi());
-        let rest = half_angle.lo();
+        let (sine_rest, cosine_rest) = libm::sincos(half_angle.lo());
         let direction = Vector3::from(vector).map(|number| norm.divide(number));
         Ok(Self::from_canonical(&Quaternion::from_parts(
-            cosine - rest * sine,
-            direction * (sine + rest * cosine),
+            cosine * cosine_rest - sine * sine_rest,
+            direction * (sine * cosine_rest + cosine * sine_rest),
         )))
     }
 

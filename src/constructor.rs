@@ -68,7 +68,6 @@ const OPERATIONS: [&str; 24] = [
 ];
 
 pub(crate) fn call(name: &str) -> Call {
-    let path = name.replace("::", ".");
     let last = last_segment(name);
     let lower = last.to_ascii_lowercase();
     let computes = OPERATIONS.iter().any(|word| lower.contains(word))
@@ -82,10 +81,9 @@ pub(crate) fn call(name: &str) -> Call {
     if let Some(order) = order_in_name(last) {
         return Call::Ordered(order);
     }
-    let known = CONSTRUCTORS.iter().find(|(known, _)| {
-        path.strip_suffix(known)
-            .is_some_and(|before| before.is_empty() || before.ends_with('.'))
-    });
+    let known = CONSTRUCTORS
+        .iter()
+        .find(|(known, _)| ends_with_path(name, known));
     if let Some(&(_, order)) = known {
         return Call::Ordered(order);
     }
@@ -98,6 +96,13 @@ pub(crate) fn call(name: &str) -> Call {
         _ if lower.contains("vec") || lower.contains("point") => Call::Vector,
         _ => Call::Other,
     }
+}
+
+/// Whether the last segments of a path are these, which are joined by points.
+pub(crate) fn ends_with_path(path: &str, segments: &str) -> bool {
+    let path = path.replace("::", ".");
+    path.strip_suffix(segments)
+        .is_some_and(|before| before.is_empty() || before.ends_with('.'))
 }
 
 /// The order that a name spells out, such as `from_xyzw` or `q_wxyz`.

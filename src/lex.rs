@@ -4,6 +4,7 @@
 //! float suffixes, comments, the dashes of a YAML list. Nothing here knows what
 //! a quaternion is.
 
+use crate::angle::AngleUnit;
 use crate::messages::Fault;
 use crate::problem::Span;
 use winnow::ascii::{digit0, digit1, line_ending, space0};
@@ -87,6 +88,19 @@ pub(crate) struct Token<'t> {
     pub(crate) spacing: Spacing,
 }
 
+impl Token<'_> {
+    /// The unit of angle that this is: `°`, `deg`, `rad`.
+    pub(crate) fn angle_unit(&self) -> Option<AngleUnit> {
+        match (self.kind, self.text) {
+            (TokenKind::Degree, _) | (TokenKind::Word, "deg" | "degree" | "degrees") => {
+                Some(AngleUnit::Degrees)
+            }
+            (TokenKind::Word, "rad" | "radian" | "radians") => Some(AngleUnit::Radians),
+            _ => None,
+        }
+    }
+}
+
 /// The last name of a path: `Quaterniond` of `Eigen::Quaterniond`, `x` of `pose.orientation.x`.
 pub(crate) fn last_segment(path: &str) -> &str {
     path.rsplit([':', '.']).next().unwrap_or(path)
@@ -106,12 +120,18 @@ const DECLARATION_WORDS: [&str; 9] = [
 ];
 
 pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
-    let yaml_dash = if is_yaml_list(text) {
+    tokens_within(text, Span::from(0..text.len()))
+}
+
+/// The tokens of a part of a text, with their places in the whole.
+pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
+    let text = &whole[..part.end];
+    let yaml_dash = if is_yaml_list(&text[part.start..]) {
         YamlDash::Separates
     } else {
         YamlDash::IsMinus
     };
-    let mut input = LocatingSlice::new(text);
+    let mut input = LocatingSlice::new(&text[part.start..]);
     let mut tokens = Vec::new();
     let mut line = Line::Start;
     let mut spacing = Spacing::Apart;

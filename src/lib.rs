@@ -37,6 +37,9 @@ pub use nalgebra;
 /// One problem: a code, a place, what was expected, what to try.
 pub mod problem;
 
+/// The unit of an angle.
+pub mod angle;
+
 /// What four numbers mean.
 pub mod convention;
 
@@ -108,8 +111,14 @@ pub mod request;
 
 // Text to numbers.
 
-// The sentence of every problem.
+// The sentences of problems of any text.
 mod messages;
+
+// The sentences of problems of matrices.
+mod matrix_messages;
+
+// The sentences of problems of rotations.
+mod rotation_messages;
 
 // Text to tokens.
 mod lex;
@@ -132,13 +141,43 @@ mod constructor;
 // Members with names.
 mod names;
 
+// Lists of plain numbers.
+mod numbers;
+
 // Members to named components.
 mod meaning;
+
+// Nine numbers to a matrix.
+mod matrix_rows;
+
+// Angles with units to radians.
+mod angles;
+
+// An axis and its angle.
+mod axis;
+
+/// What a text holds when it holds a rotation.
+pub mod representation;
+
+// Words that are known before numbers.
+mod phrases;
+
+// What the words of a text announce.
+mod spoken;
+
+// Calls of libraries that make a rotation.
+mod calls;
+
+// What is announced in words to a rotation.
+mod announced;
 
 /// Text to numbers.
 pub mod parse;
 
 // The whole road.
+
+// A text to an attitude, and the attitude to numbers in a convention.
+mod attitude;
 
 // Two quaternions together.
 mod compose;
@@ -151,6 +190,7 @@ pub mod analyze;
 pub mod wasm;
 
 pub use analyze::analyze;
+pub use angle::{AngleUnit, UnitSource};
 pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
@@ -160,12 +200,15 @@ pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use kinematics::{IntegrationOrder, RateAxes, action_jacobian};
 pub use nearest_rotation::{NearestRotation, NoNearestRotation};
-pub use parse::{ParsedQuaternion, parse_quaternion, parse_vector};
+pub use parse::{ParsedQuaternion, parse_quaternion, parse_rotation, parse_vector};
 pub use perturbation::{IncrementSign, Side, small_angle_matrix, small_angle_quaternion};
 pub use pose::{FramesDoNotMeet, Pose};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
+pub use representation::{
+    ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
+};
 pub use request::{ComposeRequest, ReadRequest, Request};
 pub use rotation::{NoRotation, Rotation};
 pub use rotation_matrix::{CosineMatrix, MatrixConvention, ROTATION_TOLERANCE, TaggedMatrix};

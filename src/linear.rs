@@ -3,10 +3,11 @@
 //! A product of two imaginary units is refused, because its sign is what the
 //! conventions disagree about; so nothing here depends on a convention.
 
+use crate::angle::{AngleUnit, degrees_in_radians};
 use crate::lex::last_segment;
 use crate::messages::Fault;
 use crate::problem::Span;
-use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Linear {
@@ -16,11 +17,14 @@ pub(crate) struct Linear {
     pub(crate) quantity: Quantity,
 }
 
-/// Whether a number was given in degrees, and so can only stand in a sine or the like.
+/// Whether a number was given with a unit of angle, and so cannot be a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Quantity {
     Number,
-    Angle,
+    /// A number made of π: radians, if it is an angle.
+    OfPi,
+    /// In radians; the unit is that of the text.
+    Angle(AngleUnit),
 }
 
 impl Linear {
@@ -29,6 +33,13 @@ impl Linear {
             scalar,
             units: None,
             quantity: Quantity::Number,
+        }
+    }
+
+    const fn of_pi(scalar: f64) -> Self {
+        Self {
+            quantity: Quantity::OfPi,
+            ..Self::real(scalar)
         }
     }
 
@@ -47,8 +58,10 @@ impl Linear {
 
     pub(crate) fn constant(name: &str) -> Option<Self> {
         match last_segment(name) {
-            "pi" | "PI" | "Pi" | "π" | "M_PI" => Some(Self::real(PI)),
-            "tau" | "TAU" | "τ" => Some(Self::real(TAU)),
+            "pi" | "PI" | "Pi" | "π" | "M_PI" => Some(Self::of_pi(PI)),
+            "M_PI_2" | "FRAC_PI_2" => Some(Self::of_pi(FRAC_PI_2)),
+            "M_PI_4" | "FRAC_PI_4" => Some(Self::of_pi(FRAC_PI_4)),
+            "tau" | "TAU" | "τ" => Some(Self::of_pi(TAU)),
             "SQRT1_2" | "M_SQRT1_2" | "FRAC_1_SQRT_2" => Some(Self::real(FRAC_1_SQRT_2)),
             _ => None,
         }
@@ -80,7 +93,12 @@ impl Linear {
         if value.is_nan() {
             return Err(Fault::no_real_value(span, name));
         }
-        Self::real(value).checked(span)
+        let result = if is_to_radians(name) {
+            Self::of_pi(value)
+        } else {
+            Self::real(value)
+        };
+        result.checked(span)
     }
 
     pub(crate) fn plus(self, other: Self, span: Span) -> Result<Self, Fault> {
@@ -127,10 +145,17 @@ impl Linear {
         self.map_checked(span, true, |number| number / other.scalar)
     }
 
-    pub(crate) fn degrees(self, span: Span) -> Result<Self, Fault> {
-        let radians = self.times(Self::real(PI / 180.0), span)?;
+    /// An angle of so many degrees or radians.
+    pub(crate) fn angle(self, unit: AngleUnit, span: Span) -> Result<Self, Fault> {
+        if matches!(self.quantity, Quantity::Angle(_)) {
+            return Err(Fault::second_unit(span));
+        }
+        let radians = match unit {
+            AngleUnit::Degrees => self.map_checked(span, true, degrees_in_radians)?,
+            AngleUnit::Radians => self,
+        };
         Ok(Self {
-            quantity: Quantity::Angle,
+            quantity: Quantity::Angle(unit),
             ..radians
         })
     }
@@ -175,7 +200,11 @@ impl Linear {
 
 impl Quantity {
     fn with(self, other: Self) -> Self {
-        if self == Self::Angle { self } else { other }
+        match (self, other) {
+            (Self::Angle(_), _) => self,
+            (_, Self::Angle(_)) | (Self::Number, _) => other,
+            (Self::OfPi, _) => self,
+        }
     }
 }
 
@@ -189,9 +218,13 @@ fn function(name: &str) -> Option<fn(f64) -> f64> {
         "asin" => libm::asin,
         "acos" => libm::acos,
         "atan" => libm::atan,
-        "deg2rad" | "radians" => |degrees| degrees * (PI / 180.0),
+        _ if is_to_radians(name) => degrees_in_radians,
         _ => return None,
     })
+}
+
+fn is_to_radians(name: &str) -> bool {
+    matches!(last_segment(name), "deg2rad" | "radians" | "degToRad")
 }
 
 /// Casts that printed arrays carry, such as `np.float64(0.5)`: the number itself.

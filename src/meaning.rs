@@ -5,6 +5,7 @@ use crate::convention::ComponentOrder;
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::names::{ORIENTATIONS, component, named, without_options};
+use crate::numbers::{check_separators, held, values};
 use crate::problem::{Span, Wanted, shorten};
 use crate::report::OrderSource;
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
@@ -115,13 +116,13 @@ fn read_quaternion(
         return Ok(order.by_names().with(Quaternion::new(w, x, y, z)));
     }
     if let [first, second] = &entries[..] {
-        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, triple(&second.node)) {
+        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node)) {
             let part = vector(inner, second.node.span)?;
             return Ok(order
                 .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
                 .with(Quaternion::from_parts(first.node.real()?, part)));
         }
-        if let (Some(inner), NodeKind::Value(_)) = (triple(&first.node), &second.node.kind) {
+        if let (Some(inner), NodeKind::Value(_)) = (held(&first.node), &second.node.kind) {
             if place == Place::InCall {
                 return Err(Fault::axis_and_angle(span));
             }
@@ -190,24 +191,12 @@ fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
     found.filter(|_| entries.len() > 1).map(|entry| &entry.node)
 }
 
-/// The three numbers of a vector part: in brackets, or in a call that makes a vector.
-fn triple<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
-    match &node.kind {
-        NodeKind::List(inner) => Some(inner),
-        NodeKind::Call { name, arguments } => {
-            let holds = matches!(constructor::call(name), Call::Vector | Call::Container);
-            holds.then_some(arguments)
-        }
-        NodeKind::Value(_) | NodeKind::Word(_) => None,
-    }
-}
-
 pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
     let (entries, _) = without_label(entries, Wanted::Vector)?;
     if let [only] = &entries[..]
         && only.key.is_none()
     {
-        match (&only.node.kind, triple(&only.node)) {
+        match (&only.node.kind, held(&only.node)) {
             (_, Some(inner)) => {
                 return vector(&without_options(inner), only.node.span);
             }
@@ -260,13 +249,6 @@ fn without_label<'e, 't>(
     Ok((entries, label))
 }
 
-fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
-    entries
-        .iter()
-        .map(|entry| Ok((entry.node.value()?, entry.node.span)))
-        .collect()
-}
-
 /// As many plain numbers as are wanted.
 fn numbers<const COUNT: usize>(
     entries: &[Entry<'_>],
@@ -274,16 +256,7 @@ fn numbers<const COUNT: usize>(
     span: Span,
     wanted: Wanted,
 ) -> Result<[f64; COUNT], Fault> {
-    let spaces_separate = entries
-        .iter()
-        .any(|entry| matches!(entry.lead, Lead::Signed | Lead::Bare));
-    let commas_separate = entries.iter().any(|entry| entry.lead == Lead::AfterComma);
-    if spaces_separate && commas_separate {
-        return Err(Fault::mixed_separators(span));
-    }
-    if spaces_separate && let Some(sign) = entries.iter().find_map(|entry| entry.loose_sign) {
-        return Err(Fault::loose_sign(sign));
-    }
+    check_separators(entries, span)?;
     let numbers: Vec<_> = values.iter().map(|(value, _)| value.scalar).collect();
     numbers
         .try_into()

@@ -1,9 +1,11 @@
 //! The sentence of every problem, in one place: what is wrong, what was expected, what to try.
+//!
+//! Those about rotations stand in `rotation_messages.rs`; here are those about text and numbers.
 
 use crate::problem::{Field, Problem, ProblemCode, Span, Wanted, shorten};
 
 /// How many characters of the user's own text a message repeats.
-const QUOTED_CHARACTERS: usize = 24;
+pub(crate) const QUOTED_CHARACTERS: usize = 24;
 
 /// A problem before it knows which text it stands in.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +29,7 @@ impl Fault {
         }
     }
 
-    fn new(
+    pub(crate) fn new(
         code: ProblemCode,
         span: Span,
         message: impl Into<String>,
@@ -90,38 +92,6 @@ impl Fault {
             "nothing that follows the value is applied here",
             "the value alone",
             "write the numbers that come out of it",
-        )
-    }
-
-    pub(crate) fn not_applied(span: Span, name: &str, wanted: Wanted) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{name} is not applied here, so its numbers would mean something else"),
-            wanted.in_words(),
-            "write the numbers that come out of it; axis and angle, rotation vectors and Euler \
-             angles are not read yet",
-        )
-    }
-
-    pub(crate) fn angle_for_number(span: Span) -> Self {
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            "an angle cannot stand here",
-            "a component of a quaternion or a vector",
-            "put it into a sine or cosine, as in cos(22.5°) + sin(22.5°) k",
-        )
-    }
-
-    pub(crate) fn axis_and_angle(span: Span) -> Self {
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            "a vector and then a number in a call is an axis and an angle",
-            "the four numbers of a quaternion",
-            "write cos(angle/2) and the axis times sin(angle/2)",
         )
     }
 
@@ -266,32 +236,6 @@ impl Fault {
         )
     }
 
-    pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
-        let (expected, hint) = match wanted {
-            Wanted::Quaternion if found > 4 => (
-                "four numbers: w and x, y, z",
-                "keep the four numbers of one quaternion; a decimal sign is a point, not a comma",
-            ),
-            Wanted::Quaternion => (
-                "four numbers: w and x, y, z",
-                "add what is missing, or name what is there: 0.92 + 0.38k",
-            ),
-            Wanted::Vector if found > 3 => (
-                "three numbers: x, y, z",
-                "keep the three numbers of one vector; a decimal sign is a point, not a comma",
-            ),
-            Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
-        };
-        let numbers = if found == 1 { "number" } else { "numbers" };
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{found} {numbers} in place of {}", wanted.count()),
-            expected,
-            hint,
-        )
-    }
-
     pub(crate) fn duplicate_component(span: Span, name: &str) -> Self {
         Self::new(
             ProblemCode::DuplicateComponent,
@@ -403,26 +347,6 @@ impl Fault {
             "a product of imaginary units has another sign in each convention (ij = k or ij = -k)",
             "at most one of i, j, k in each term",
             "write the components, or put the two factors into the Compose view",
-        )
-    }
-
-    pub(crate) fn scalar_in_vector(span: Span) -> Self {
-        Self::new(
-            ProblemCode::ScalarInVector,
-            span,
-            "a vector has no scalar part",
-            "x, y and z, or a sum of i, j and k",
-            "remove the scalar",
-        )
-    }
-
-    pub(crate) fn zero_quaternion(span: Span) -> Self {
-        Self::new(
-            ProblemCode::ZeroQuaternion,
-            span,
-            "all four components are zero: this is not a rotation",
-            "at least one component that is not zero",
-            "the quaternion of no turn is w=1, x=0, y=0, z=0",
         )
     }
 }

@@ -50,15 +50,60 @@
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
 
+use crate::announced;
+use crate::calls;
 use crate::convention::ComponentOrder;
-use crate::lex::{self, MAX_TEXT_BYTES};
+use crate::lex::{self, MAX_TEXT_BYTES, Token};
+use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
+use crate::names::component;
+use crate::phrases::Form;
 use crate::problem::{Field, Problem, Span, Wanted};
+pub use crate::representation::ParsedRotation;
+use crate::spoken::{Spoken, spoken};
 use crate::syntax;
-use crate::tree::Entry;
+use crate::tree::{Entry, NodeKind};
 use nalgebra::Vector3;
+
+/// The rotation that a text holds, in whichever description it is written.
+///
+/// `declared` is used for the numbers of a quaternion where the text itself does not tell their
+/// order; it changes no other description.
+///
+/// # Errors
+///
+/// The first problem of the text; its span counts bytes. A zero axis is one; a zero quaternion and
+/// a matrix that is no rotation are none here.
+///
+/// ```
+/// use quatlas::{AngleUnit, ComponentOrder, EulerSequence, Field, ParsedRotation, UnitSource};
+/// use quatlas::parse_rotation;
+///
+/// // Three different angles: yaw first, about the moving axes z, y, x.
+/// let text = "ZYX 30deg 20deg 10deg";
+/// let parsed = parse_rotation(text, Field::Quaternion, ComponentOrder::ScalarFirst)?;
+/// let ParsedRotation::EulerAngles(euler) = parsed else { panic!("{parsed:?}") };
+/// assert_eq!(euler.sequence, EulerSequence::AEROSPACE);
+/// assert_eq!(euler.angles_rad[0], std::f64::consts::FRAC_PI_6);
+/// assert_eq!(euler.unit, UnitSource::Written(AngleUnit::Degrees));
+///
+/// // Rows as written: a quarter turn about z.
+/// let parsed = parse_rotation("[0 -1 0; 1 0 0; 0 0 1]", Field::P, ComponentOrder::ScalarLast)?;
+/// let ParsedRotation::Matrix(matrix) = parsed else { panic!("{parsed:?}") };
+/// assert_eq!((matrix[(0, 1)], matrix[(1, 0)]), (-1.0, 1.0));
+/// # Ok::<(), quatlas::Problem>(())
+/// ```
+pub fn parse_rotation(
+    text: &str,
+    field: Field,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Problem> {
+    read(text, Wanted::Quaternion)
+        .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
+        .map_err(|fault| fault.in_field(field))
+}
 
 /// The quaternion that a text holds.
 ///
@@ -66,7 +111,8 @@ use nalgebra::Vector3;
 ///
 /// # Errors
 ///
-/// The first problem of the text; its span counts bytes. A zero quaternion is no problem here.
+/// The first problem of the text; its span counts bytes. Another description of a rotation is one;
+/// a zero quaternion is none here.
 ///
 /// ```
 /// use quatlas::{ComponentOrder, Field, OrderSource, parse_quaternion};
@@ -77,8 +123,15 @@ use nalgebra::Vector3;
 /// assert_eq!((parsed.quaternion.w, parsed.quaternion.i), (0.5, -0.5));
 /// assert_eq!(parsed.order_source, OrderSource::Constructor);
 ///
-/// let problem = parse_quaternion("1 0 0", Field::Quaternion, ComponentOrder::ScalarFirst);
-/// assert_eq!(problem.unwrap_err().to_string(), "3 numbers in place of 4");
+/// let refused = |text| {
+///     let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst);
+///     parsed.unwrap_err().to_string()
+/// };
+/// assert_eq!(refused("1 0 0"), "3 numbers in place of 4");
+/// assert_eq!(
+///     refused("rotvec 0 0 1"),
+///     "this is a rotation vector, and a quaternion is wanted here"
+/// );
 /// # Ok::<(), quatlas::Problem>(())
 /// ```
 pub fn parse_quaternion(
@@ -86,9 +139,13 @@ pub fn parse_quaternion(
     field: Field,
     declared: ComponentOrder,
 ) -> Result<ParsedQuaternion, Problem> {
-    read(text, Wanted::Quaternion)
-        .and_then(|(entries, span)| meaning::quaternion(&entries, span, declared))
-        .map_err(|fault| fault.in_field(field))
+    match parse_rotation(text, field, declared)? {
+        ParsedRotation::Quaternion(quaternion) => Ok(quaternion),
+        other => {
+            let fault = Fault::not_a_quaternion(Span::of_trimmed(text), other.in_words());
+            Err(fault.in_field(field))
+        }
+    }
 }
 
 /// The vector that a text holds: three numbers, named components, or a sum of i, j and k.
@@ -104,11 +161,11 @@ pub fn parse_quaternion(
 /// ```
 pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
     read(text, Wanted::Vector)
-        .and_then(|(entries, span)| meaning::vector(&entries, span))
+        .and_then(|(tokens, span)| meaning::vector(&syntax::entries(&tokens)?, span))
         .map_err(|fault| fault.in_field(field))
 }
 
-fn read(text: &str, wanted: Wanted) -> Result<(Vec<Entry<'_>>, Span), Fault> {
+fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
     let span = Span::of_trimmed(text);
     if text.len() > MAX_TEXT_BYTES {
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
@@ -117,5 +174,51 @@ fn read(text: &str, wanted: Wanted) -> Result<(Vec<Entry<'_>>, Span), Fault> {
     if tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
     }
-    Ok((syntax::entries(&tokens, text)?, span))
+    Ok((tokens, span))
+}
+
+fn rotation(
+    tokens: &[Token<'_>],
+    text: &str,
+    span: Span,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Fault> {
+    let numbers = match spoken(tokens, text) {
+        Spoken::About {
+            before,
+            word,
+            after,
+        } => return announced::about(before, word, after),
+        Spoken::Parts(parts) => return announced::parts(&parts, span),
+        Spoken::Announced(announcement, rest) => match announcement.form {
+            Some(Form::Quaternion) | None => rest,
+            Some(form) => return announced::announced(&announcement, form, rest, text),
+        },
+        Spoken::Nothing => tokens,
+    };
+    let entries = syntax::entries(numbers)?;
+    if let Some(rotation) = calls::rotation(&entries)? {
+        return Ok(rotation);
+    }
+    if let Some(matrix) = matrix_rows::unannounced(&without_name(&entries), span)? {
+        return Ok(ParsedRotation::Matrix(matrix));
+    }
+    if let [first, _, ..] = &entries[..]
+        && first.key.is_none()
+        && let NodeKind::Word(word) = first.node.kind
+    {
+        return Err(Fault::unknown_keyword(first.node.span, word));
+    }
+    meaning::quaternion(&entries, span, declared).map(ParsedRotation::Quaternion)
+}
+
+/// The members without the name of the whole, as in `R = [[…], […], […]]`.
+fn without_name<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
+    let mut entries = entries.to_vec();
+    if let Some(first) = entries.first_mut()
+        && first.key.is_some_and(|key| component(key.name).is_none())
+    {
+        first.key = None;
+    }
+    entries
 }

@@ -141,6 +141,18 @@ pub enum ProblemCode {
     ScalarInVector,
     /// A zero quaternion, which is no rotation.
     ZeroQuaternion,
+    /// A matrix with a negative determinant.
+    Reflection,
+    /// A matrix that is far from every rotation.
+    NotARotation,
+    /// An axis of length zero.
+    ZeroAxis,
+    /// Letters that are no Euler sequence, or angles without a sequence.
+    UnknownSequence,
+    /// Degrees and radians in one rotation, or a unit at some of its angles only.
+    MixedUnits,
+    /// Another description of a rotation where only a quaternion is read.
+    NotAQuaternion,
 }
 
 impl ProblemCode {
@@ -170,6 +182,12 @@ impl ProblemCode {
             Self::ProductOfUnits => "product-of-units",
             Self::ScalarInVector => "scalar-in-vector",
             Self::ZeroQuaternion => "zero-quaternion",
+            Self::Reflection => "reflection",
+            Self::NotARotation => "not-a-rotation",
+            Self::ZeroAxis => "zero-axis",
+            Self::UnknownSequence => "unknown-sequence",
+            Self::MixedUnits => "mixed-units",
+            Self::NotAQuaternion => "not-a-quaternion",
         }
     }
 }
@@ -272,7 +290,8 @@ impl Wanted {
     pub(crate) const fn in_words(self) -> &'static str {
         match self {
             Self::Quaternion => {
-                "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k"
+                "a rotation: the numbers of a quaternion, or axis and angle, a rotation vector, \
+                 Euler angles, a matrix"
             }
             Self::Vector => "a vector: three numbers, or named components x, y and z",
         }

@@ -218,7 +218,6 @@ pub struct ReadGimbalLock {
     pub distance_deg: f64,
 }
 
-
 /// The number itself, with −0 written as 0.
 pub(crate) fn plain(number: f64) -> f64 {
     number + 0.0

@@ -1,5 +1,6 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
+use crate::angle::AngleUnit;
 use crate::convention::ComponentOrder;
 use crate::problem::Field;
 use crate::report_attitude::OrderSource;
@@ -31,6 +32,8 @@ pub enum Fact {
     OrderInvisible,
     /// The text is a call whose order is not known here.
     UnknownConstructor(UnknownConstructor),
+    /// The angles have no unit, so one was assumed.
+    AngleUnitAssumed(AngleUnitAssumed),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
     /// The scalar is negative: −q is the same rotation and names the shorter turn.
@@ -83,6 +86,14 @@ pub struct UnknownConstructor {
     pub name: String,
     /// The order that was used: the declared one.
     pub order: ComponentOrder,
+}
+
+/// The data of [`Fact::AngleUnitAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AngleUnitAssumed {
+    /// The unit that was used.
+    pub unit: AngleUnit,
 }
 
 /// The data of [`Fact::NearestRotation`].

@@ -21,10 +21,10 @@ const MAX_DEPTH: usize = 32;
 /// As in `Eigen::Quaterniond q =`.
 const MOST_WORDS_OF_A_KEY: usize = 2;
 
-/// Reads all tokens of a text.
-pub(crate) fn entries<'t>(tokens: &[Token<'t>], text: &str) -> Result<Vec<Entry<'t>>, Fault> {
+/// Reads all tokens of a text, or of a part of it.
+pub(crate) fn entries<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
     let state = State {
-        text_end: text.trim_end().len(),
+        text_end: tokens.last().map_or(0, |last| last.span.end),
         depth: 0,
         spaces: Spaces::Separate,
         loose_sign: None,
@@ -148,8 +148,8 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
 fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
     let mut left = signed(input)?;
     while let Some(next) = input.peek_token() {
-        let result = match next.kind {
-            TokenKind::Times | TokenKind::Divide => {
+        let result = match (next.kind, next.angle_unit()) {
+            (TokenKind::Times | TokenKind::Divide, _) => {
                 input.next_token();
                 // MATLAB prints `1.0e+03 *` above the lines that it multiplies.
                 let line_ends = input
@@ -167,10 +167,10 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
                 };
                 (result, span)
             }
-            _ if is_degree(&next) => {
+            (_, Some(unit)) => {
                 input.next_token();
                 let span = left.span.to(next.span);
-                (value_of(&left)?.degrees(span), span)
+                (value_of(&left)?.angle(unit, span), span)
             }
             _ if multiplies_by_standing_beside(&left, &next) => {
                 let right = atom(input)?;
@@ -182,12 +182,6 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
         left = computed(result.0, result.1)?;
     }
     Ok(left)
-}
-
-fn is_degree(token: &Token<'_>) -> bool {
-    let is_word = token.kind == TokenKind::Word;
-    token.kind == TokenKind::Degree
-        || (is_word && matches!(token.text, "deg" | "degree" | "degrees"))
 }
 
 /// `0.38k`, `2pi`, `2√3`: no space between. `sin(pi/8) k`, `k sin(pi/8)`: a unit may stand apart.

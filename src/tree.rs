@@ -62,7 +62,7 @@ impl Node<'_> {
     /// The number, or sum of units, that this is; a problem where it is something else.
     pub(crate) fn value(&self) -> Result<Linear, Fault> {
         match &self.kind {
-            NodeKind::Value(value) if value.quantity == Quantity::Angle => {
+            NodeKind::Value(value) if matches!(value.quantity, Quantity::Angle(_)) => {
                 Err(Fault::angle_for_number(self.span))
             }
             NodeKind::Value(value) => Ok(*value),
@@ -70,6 +70,16 @@ impl Node<'_> {
                 Err(Fault::unknown_word(self.span, word))
             }
             NodeKind::List(_) => Err(Fault::list_for_number(self.span)),
+        }
+    }
+
+    /// The real number that this is, with its unit if it is an angle; a problem where it is
+    /// something else.
+    pub(crate) fn angle(&self) -> Result<Linear, Fault> {
+        let value = self.operand()?;
+        match value.units {
+            None => Ok(value),
+            Some(_) => Err(Fault::unit_for_number(self.span)),
         }
     }
 

@@ -181,6 +181,7 @@ fn any_four_finite_numbers_are_answered_in_plain_numbers() {
                 q: q.clone(),
                 vector: vector.clone(),
                 convention,
+                matrix: quatlas::MatrixConvention::BODY_TO_WORLD,
             });
             check(&request, &[&p, &q, &vector])
         },

@@ -153,6 +153,9 @@ fn norm(numbers: impl IntoIterator<Item = f64>) -> f64 {
     largest * sum.sqrt()
 }
 
+/// Rotation vectors so long that 106 bits of their length leave nothing of the angle: no bound holds.
+pub(crate) const NO_BOUND: &str = "beyond 1e15";
+
 /// The cases of an operation.
 pub(crate) fn cases(operation: &str) -> Vec<Case> {
     let file: Value = serde_json::from_str(include_str!("../vectors/accuracy.json")).expect("JSON");

@@ -7,8 +7,9 @@
 
 use quatlas::nalgebra::{Matrix3, Quaternion};
 use quatlas::{
-    ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, Fact, Function,
-    Handedness, Outcome, Perturbation, Problem, ReadReport, ReadRequest, Request, analyze,
+    ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, EulerSequence, Fact,
+    Function, Handedness, MatrixConvention, Outcome, Perturbation, Problem, ReadReport,
+    ReadRequest, Request, analyze,
 };
 pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -65,6 +66,8 @@ pub(crate) fn read_request(quaternion: &str, vector: &str, convention: Conventio
         quaternion: quaternion.into(),
         vector: vector.into(),
         convention,
+        matrix: MatrixConvention::BODY_TO_WORLD,
+        euler: EulerSequence::AEROSPACE,
     })
 }
 
@@ -83,6 +86,7 @@ pub(crate) fn compose(p: &str, q: &str, vector: &str, convention: Convention) ->
         q: q.into(),
         vector: vector.into(),
         convention,
+        matrix: MatrixConvention::BODY_TO_WORLD,
     });
     match analyze(&request) {
         Outcome::Compose(report) => *report,

@@ -1,0 +1,75 @@
+//! The unit of an angle: which one it is, how it was told, and degrees in radians.
+
+use serde::{Deserialize, Serialize};
+use twofloat::{TwoFloat, consts};
+
+/// In which unit an angle is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+#[doc(alias("deg", "rad"))]
+pub enum AngleUnit {
+    /// 360 in a full turn.
+    Degrees,
+    /// 2π in a full turn.
+    Radians,
+}
+
+/// How the unit of an angle was told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum UnitSource {
+    /// By the text: a unit beside the number, a π in it, or a library's call, which has its own.
+    Written(AngleUnit),
+    /// By nothing. The magnitude decides: radians up to a full turn, degrees beyond; what has a
+    /// customary unit, such as a rotation vector, has that one.
+    Assumed(AngleUnit),
+}
+
+impl UnitSource {
+    /// The unit, however it was told.
+    #[must_use]
+    pub const fn unit(self) -> AngleUnit {
+        match self {
+            Self::Written(unit) | Self::Assumed(unit) => unit,
+        }
+    }
+}
+
+/// The double nearest to `degrees` · π/180, so that 90 gives the double nearest to π/2.
+pub(crate) fn degrees_in_radians(degrees: f64) -> f64 {
+    let exact = (consts::PI * (TwoFloat::from(degrees) / 180.0)).hi();
+    if exact.is_finite() {
+        return exact;
+    }
+    // The parts of a double-double overflow before its value does.
+    degrees / 180.0 * std::f64::consts::PI
+}
+
+#[cfg(test)]
+mod tests {
+    use super::degrees_in_radians;
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
+
+    #[test]
+    fn common_angles_are_the_nearest_doubles() {
+        let cases = [
+            (30.0, FRAC_PI_6),
+            (45.0, FRAC_PI_4),
+            (60.0, FRAC_PI_3),
+            (90.0, FRAC_PI_2),
+            (180.0, PI),
+            (-360.0, -TAU),
+        ];
+        for (degrees, radians) in cases {
+            assert_eq!(degrees_in_radians(degrees), radians, "{degrees}");
+        }
+    }
+
+    #[test]
+    fn the_ends_of_the_range_stay_finite() {
+        for degrees in [f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.0] {
+            let radians = degrees_in_radians(degrees);
+            assert!(radians.is_finite() && radians <= degrees, "{degrees}");
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! What is announced in words to a rotation.
+
+use crate::angle::AngleUnit;
+use crate::angles::{self, UnitRule};
+use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
+use crate::calls;
+use crate::euler_sequence::EulerSequence;
+use crate::lex::{self, Token, TokenKind};
+use crate::matrix_rows;
+use crate::messages::Fault;
+use crate::numbers::{check_separators, members};
+use crate::phrases::Form;
+use crate::problem::Span;
+use crate::representation::{
+    self, ParsedRotation, THREE_ANGLES, THREE_NUMBERS, euler_angles, rotation_vector, three,
+};
+use crate::spoken::{self, Announcement, Part, SpokenPart};
+use crate::syntax;
+use crate::tree::{Entry, NodeKind};
+
+/// `45deg about z`, `about z by 45deg`
+pub(crate) fn about(
+    before: &[Token<'_>],
+    word: Span,
+    after: &[Token<'_>],
+) -> Result<ParsedRotation, Fault> {
+    let before = without_verbs(before);
+    let is_by = |token: &Token<'_>| token.kind == TokenKind::Word && token.text == "by";
+    let (angle, at, axis) = match after.iter().position(is_by) {
+        Some(by) if before.is_empty() => (&after[by + 1..], after[by].span, &after[..by]),
+        _ => (before, Span::from(word.start..word.start), after),
+    };
+    let angle_alone = trimmed(angle).is_empty();
+    if angle_alone {
+        return Err(Fault::no_angle(span_of(&[], at)));
+    }
+    let angle = axis::angle(angle, at)?;
+    let axis = axis::axis(axis, word)?;
+    representation::axis_angle(axis, angle, UnitRule::Magnitude)
+}
+
+/// `rotate by 45deg`, `rotation of 45deg`, `a turn by 45deg`
+fn without_verbs<'s, 't>(mut tokens: &'s [Token<'t>]) -> &'s [Token<'t>] {
+    const VERBS: [&str; 8] = [
+        "a", "rotate", "rotated", "rotation", "turn", "turned", "of", "by",
+    ];
+    while let [first, rest @ ..] = tokens
+        && first.kind == TokenKind::Word
+        && VERBS.contains(&first.text.to_ascii_lowercase().as_str())
+    {
+        tokens = rest;
+    }
+    tokens
+}
+
+/// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
+pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRotation, Fault> {
+    for (at, part) in parts.iter().enumerate() {
+        if is_of_turn(part.part) != is_of_turn(parts[0].part) {
+            return Err(Fault::mixed_parts(part.label));
+        }
+        if parts[..at].iter().any(|other| other.part == part.part) {
+            return Err(Fault::duplicate_part(part.label, part.part.name()));
+        }
+    }
+    let find = |wanted| parts.iter().find(|part| part.part == wanted);
+    let end = Span::from(span.end..span.end);
+    if is_of_turn(parts[0].part) {
+        let axis = find(Part::Axis).ok_or_else(|| Fault::no_axis(end))?;
+        let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
+        let axis = axis::axis(axis.tokens, axis.label)?;
+        let angle = axis::angle(angle.tokens, angle.label)?;
+        return representation::axis_angle(axis, angle, UnitRule::Magnitude);
+    }
+    let names = [Part::Roll, Part::Pitch, Part::Yaw];
+    let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
+        let missing = names.into_iter().filter(|part| find(*part).is_none());
+        let missing: Vec<_> = missing.map(Part::name).collect();
+        return Err(Fault::missing_part(span, &missing));
+    };
+    // A unit apart after the last number is one for all.
+    let last = parts.last().map_or(&[][..], |last| last.tokens);
+    let (last_number, unit) = angles::without_unit(trimmed(last));
+    let angle = |part: &SpokenPart<'_, '_>| {
+        let is_last = std::ptr::eq(part.tokens, last);
+        axis::angle(if is_last { last_number } else { part.tokens }, part.label)
+    };
+    let angles = [angle(roll)?, angle(pitch)?, angle(yaw)?];
+    let rule = angles::rule(unit, UnitRule::Magnitude);
+    euler_angles(EulerSequence::ROLL_PITCH_YAW, angles, rule)
+}
+
+fn is_of_turn(part: Part) -> bool {
+    matches!(part, Part::Axis | Part::Angle)
+}
+
+/// What follows an announcement, as the description that it announces.
+pub(crate) fn announced(
+    announcement: &Announcement<'_>,
+    form: Form,
+    rest: &[Token<'_>],
+    text: &str,
+) -> Result<ParsedRotation, Fault> {
+    let rest = trimmed(rest);
+    if let [word, open, ..] = rest
+        && word.kind == TokenKind::Word
+        && matches!(open.kind, TokenKind::Open(_))
+        && let Some(rotation) = calls::rotation(&syntax::entries(rest)?)?
+    {
+        return Ok(rotation);
+    }
+    if matches!(form, Form::Euler | Form::AxisAngle)
+        && let Some(found) = spoken::parts(spoken::inside(rest).unwrap_or(rest))
+    {
+        return parts(&found, span_of(rest, announcement.span));
+    }
+    let (rest, unit) = angles::without_unit(rest);
+    if let (Some(before), Some(after)) = (announcement.unit, unit)
+        && before != after
+    {
+        return Err(Fault::mixed_units(announcement.span));
+    }
+    let unit = announcement.unit.or(unit);
+    let span = span_of(rest, announcement.span);
+    let rule = |otherwise| angles::rule(unit, otherwise);
+    let radians = UnitRule::Custom(AngleUnit::Radians);
+    match form {
+        Form::Matrix => {
+            let entries = syntax::entries(rest)?;
+            matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)
+        }
+        Form::RotationVector => {
+            let entries = syntax::entries(rest)?;
+            rotation_vector(three(&entries, span, THREE_NUMBERS)?, rule(radians))
+        }
+        Form::Euler => {
+            let sequence = announcement.euler_sequence()?;
+            // In quotes they are an attribute of URDF, whose angles are radians.
+            let quoted = quoted(rest, text)?;
+            let rule = rule(match quoted {
+                Some(_) => radians,
+                None => UnitRule::Magnitude,
+            });
+            let entries = syntax::entries(quoted.as_deref().unwrap_or(rest))?;
+            euler_angles(sequence, three(&entries, span, THREE_ANGLES)?, rule)
+        }
+        Form::AxisAngle | Form::AngleAxis | Form::Quaternion => {
+            axis_angle(rest, span, form, rule(UnitRule::Magnitude))
+        }
+    }
+}
+
+/// The tokens inside quotes around all the numbers: `rpy="0.1 0.2 0.3"`.
+fn quoted<'t>(tokens: &[Token<'_>], text: &'t str) -> Result<Option<Vec<Token<'t>>>, Fault> {
+    match tokens {
+        [only] if only.kind == TokenKind::Quoted => {
+            let inside = Span::from(only.span.start + 1..only.span.end - 1);
+            lex::tokens_within(text, inside).map(Some)
+        }
+        _ => Ok(None),
+    }
+}
+
+/// An axis in letters or three numbers, and an angle, in the order of their announcement; brackets
+/// around the axis tell the order themselves.
+fn axis_angle(
+    tokens: &[Token<'_>],
+    span: Span,
+    form: Form,
+    rule: UnitRule,
+) -> Result<ParsedRotation, Fault> {
+    if let Some((axis, rest)) = letter_ahead(tokens) {
+        let angle = axis::angle(rest, span)?;
+        return representation::axis_angle(axis, angle, rule);
+    }
+    let entries = members(&syntax::entries(tokens)?);
+    if let Some(named) = entries.iter().find_map(|entry| entry.key) {
+        return Err(Fault::unknown_argument(named.span, named.name));
+    }
+    let is_value = |entry: &Entry<'_>| matches!(entry.node.kind, NodeKind::Value(_));
+    let (axis, angle) = match &entries[..] {
+        [axis, angle] if is_value(angle) && !is_value(axis) => (axis_of_node(&axis.node)?, angle),
+        [angle, axis] if is_value(angle) && !is_value(axis) => (axis_of_node(&axis.node)?, angle),
+        [_, _, _, _] => {
+            check_separators(&entries, span)?;
+            let (axis, angle) = match form {
+                Form::AngleAxis => (&entries[1..], &entries[0]),
+                _ => (&entries[..3], &entries[3]),
+            };
+            (axis_of_entries(axis)?, angle)
+        }
+        _ => return Err(Fault::axis_angle_parts(span)),
+    };
+    let angle = (angle.node.angle()?, angle.node.span);
+    representation::axis_angle(axis, angle, rule)
+}

@@ -1,0 +1,120 @@
+//! The sentences of problems of matrices.
+
+use crate::messages::Fault;
+use crate::problem::{ProblemCode, Span};
+
+const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
+
+pub(crate) const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
+     three rows";
+
+/// How many row lengths a message lists.
+const MOST_ROWS_LISTED: usize = 6;
+
+impl Fault {
+    pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
+        let (shape, hint) = match found {
+            16 => (" (4 by 4)", UPPER_LEFT),
+            12 => (" (3 by 4)", UPPER_LEFT),
+            _ => (
+                "",
+                "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
+            ),
+        };
+        let numbers = if found == 1 { "number" } else { "numbers" };
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{found} {numbers}{shape} in place of 9"),
+            THREE_ROWS,
+            hint,
+        )
+    }
+
+    pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
+        let is_even = rows.iter().all(|length| *length == rows[0]);
+        let message = if is_even {
+            let length = rows.first().copied().unwrap_or_default();
+            format!("{} rows of {length} in place of 3 rows of 3", rows.len())
+        } else if rows.len() > MOST_ROWS_LISTED {
+            format!(
+                "{} rows of different lengths in place of 3 rows of 3",
+                rows.len()
+            )
+        } else {
+            let lengths: Vec<_> = rows.iter().map(ToString::to_string).collect();
+            format!(
+                "rows of {} numbers in place of 3 rows of 3",
+                lengths.join(", ")
+            )
+        };
+        let hint = match (rows.len(), is_even, rows.first()) {
+            (3 | 4, true, Some(4)) => UPPER_LEFT,
+            _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+        };
+        Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
+    }
+
+    pub(crate) fn reflection(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Reflection,
+            span,
+            "this matrix is a mirror image: its determinant is negative, and no turn does that",
+            "a determinant of +1",
+            "look for a row or column with the wrong sign, or for left-handed axes",
+        )
+    }
+
+    pub(crate) fn singular_matrix(span: Span) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            "the columns of this matrix lie in a plane: no rotation is nearer than all others",
+            THREE_ROWS,
+            "look for a row that stands twice, or for zeros that should be numbers",
+        )
+    }
+
+    pub(crate) fn scaled_rotation(span: Span, scale: f64) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!("this is a rotation matrix times {}", short(scale)),
+            "columns of length 1",
+            format!("divide all nine numbers by {}", short(scale)),
+        )
+    }
+
+    pub(crate) fn zero_matrix(span: Span) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            "all nine numbers are zero: this is not a rotation",
+            THREE_ROWS,
+            "the matrix of no turn is 1 0 0 0 1 0 0 0 1",
+        )
+    }
+
+    pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3]) -> Self {
+        let [x, y, z] = lengths.map(short);
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!(
+                "this matrix is far from a rotation: its columns have the lengths {x}, {y}, {z}"
+            ),
+            "columns of length 1 at right angles",
+            "look for a missing sign, or for numbers that belong to something else",
+        )
+    }
+}
+
+/// A number with about four digits, for a sentence.
+fn short(number: f64) -> String {
+    if number == 0.0 || (1e-2..1e6).contains(&number) {
+        let rounded = (number * 1e4).round() / 1e4;
+        rounded.to_string()
+    } else {
+        format!("{number:.3e}")
+    }
+}

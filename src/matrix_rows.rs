@@ -1,0 +1,104 @@
+//! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
+//! other.
+
+use crate::messages::Fault;
+use crate::numbers::{
+    check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
+};
+use crate::problem::Span;
+use crate::tree::{Entry, Lead, Node, NodeKind};
+use nalgebra::Matrix3;
+
+/// The matrix that members are which nothing but their count or their brackets makes one.
+pub(crate) fn unannounced(
+    entries: &[Entry<'_>],
+    span: Span,
+) -> Result<Option<Matrix3<f64>>, Fault> {
+    let entries = members(entries);
+    if entries.iter().any(|entry| entry.key.is_some()) {
+        return Ok(None);
+    }
+    let is_matrix = match rows(&entries) {
+        Rows::InBrackets => true,
+        Rows::OfLengths(rows) => rows.iter().all(|row| row.len() > 1) && entries.len() > 5,
+        Rows::Unmarked => entries.len() == 9 && entries.iter().all(|entry| is_number(&entry.node)),
+    };
+    is_matrix.then(|| matrix(&entries, span)).transpose()
+}
+
+/// The matrix of members that are announced as one.
+pub(crate) fn matrix(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> {
+    let entries = members(entries);
+    let mut numbers = Vec::new();
+    let lengths: Vec<usize> = match rows(&entries) {
+        Rows::InBrackets => {
+            let mut lengths = Vec::new();
+            for entry in &entries {
+                let row = held(&entry.node).map_or_else(|| vec![entry.clone()], members);
+                check_separators(&row, entry.node.span)?;
+                lengths.push(row.len());
+                numbers.extend(values(&row)?);
+            }
+            lengths
+        }
+        Rows::OfLengths(rows) => {
+            check_signs(&entries)?;
+            numbers = values(&entries)?;
+            rows.iter().map(|row| row.len()).collect()
+        }
+        Rows::Unmarked => {
+            check_separators(&entries, span)?;
+            numbers = values(&entries)?;
+            match numbers.len() {
+                9 => vec![3; 3],
+                found => return Err(Fault::matrix_count(span, found)),
+            }
+        }
+    };
+    if lengths != [3, 3, 3] {
+        return Err(Fault::matrix_shape(span, &lengths));
+    }
+    let mut matrix = Matrix3::zeros();
+    for (at, (value, span)) in numbers.into_iter().enumerate() {
+        if value.units.is_some() {
+            return Err(Fault::unit_for_number(span));
+        }
+        matrix[(at / 3, at % 3)] = value.scalar;
+    }
+    Ok(matrix)
+}
+
+/// What tells where a row ends.
+enum Rows<'e, 't> {
+    InBrackets,
+    /// Commas or semicolons between the rows and spaces inside them, or the other way round.
+    OfLengths(Vec<&'e [Entry<'t>]>),
+    Unmarked,
+}
+
+fn rows<'e, 't>(entries: &'e [Entry<'t>]) -> Rows<'e, 't> {
+    if entries.len() > 1 && entries.iter().all(|entry| is_row(&entry.node)) {
+        return Rows::InBrackets;
+    }
+    if !(spaces_separate(entries) && commas_separate(entries)) {
+        return Rows::Unmarked;
+    }
+    let is_after_comma = |entry: &Entry<'_>| entry.lead == Lead::AfterComma;
+    let split_by = |starts: &dyn Fn(&Entry<'_>) -> bool| -> Vec<&'e [Entry<'t>]> {
+        entries.chunk_by(|_, next| !starts(next)).collect()
+    };
+    let by_commas = split_by(&is_after_comma);
+    // MATLAB's rows end in semicolons; elsewhere a row ends with its line.
+    if by_commas.iter().all(|row| row.len() > 1) {
+        return Rows::OfLengths(by_commas);
+    }
+    Rows::OfLengths(split_by(&|entry| !is_after_comma(entry)))
+}
+
+fn is_row(node: &Node<'_>) -> bool {
+    held(node).is_some_and(|row| row.iter().all(|entry| entry.key.is_none()))
+}
+
+fn is_number(node: &Node<'_>) -> bool {
+    matches!(&node.kind, NodeKind::Value(value) if value.units.is_none())
+}

@@ -1,0 +1,65 @@
+//! Lists of plain numbers: what holds them and what separates them.
+
+use crate::constructor::{self, Call};
+use crate::linear::Linear;
+use crate::messages::Fault;
+use crate::names::without_options;
+use crate::problem::Span;
+use crate::tree::{Entry, Lead, Node, NodeKind};
+
+/// What a list, or a call that only holds or makes a vector, holds.
+pub(crate) fn held<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
+    match &node.kind {
+        NodeKind::List(inner) => Some(inner),
+        NodeKind::Call { name, arguments } => {
+            let holds = matches!(constructor::call(name), Call::Vector | Call::Container);
+            holds.then_some(arguments)
+        }
+        NodeKind::Value(_) | NodeKind::Word(_) => None,
+    }
+}
+
+/// The members inside all the brackets around them.
+pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
+    let mut entries = without_options(entries);
+    while let [only] = &entries[..]
+        && only.key.is_none()
+        && let Some(inner) = held(&only.node)
+    {
+        entries = without_options(inner);
+    }
+    entries
+}
+
+pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
+    entries
+        .iter()
+        .map(|entry| Ok((entry.node.value()?, entry.node.span)))
+        .collect()
+}
+
+pub(crate) fn spaces_separate(entries: &[Entry<'_>]) -> bool {
+    entries
+        .iter()
+        .any(|entry| matches!(entry.lead, Lead::Signed | Lead::Bare))
+}
+
+pub(crate) fn commas_separate(entries: &[Entry<'_>]) -> bool {
+    entries.iter().any(|entry| entry.lead == Lead::AfterComma)
+}
+
+/// A sign among numbers that only spaces separate must touch its number.
+pub(crate) fn check_signs(entries: &[Entry<'_>]) -> Result<(), Fault> {
+    match entries.iter().find_map(|entry| entry.loose_sign) {
+        Some(sign) if spaces_separate(entries) => Err(Fault::loose_sign(sign)),
+        _ => Ok(()),
+    }
+}
+
+/// Commas between all the numbers or between none, and no sign that may be something else.
+pub(crate) fn check_separators(entries: &[Entry<'_>], span: Span) -> Result<(), Fault> {
+    if spaces_separate(entries) && commas_separate(entries) {
+        return Err(Fault::mixed_separators(span));
+    }
+    check_signs(entries)
+}

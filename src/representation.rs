@@ -1,0 +1,124 @@
+//! What a text holds when it holds a rotation: one of five descriptions, each as it was typed.
+
+use crate::angle::UnitSource;
+use crate::angles::{self, Angle, UnitRule};
+use crate::euler_sequence::EulerSequence;
+use crate::meaning::ParsedQuaternion;
+use crate::messages::Fault;
+use crate::numbers::{check_separators, members};
+use crate::problem::Span;
+use crate::tree::Entry;
+use nalgebra::{Matrix3, Vector3};
+
+/// A rotation as it was typed; every number is finite.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParsedRotation {
+    /// Four numbers by name, of any norm.
+    Quaternion(ParsedQuaternion),
+    /// A turn about an axis.
+    AxisAngle(ParsedAxisAngle),
+    /// The axis times the angle.
+    RotationVector(ParsedRotationVector),
+    /// Three turns about coordinate axes.
+    EulerAngles(ParsedEulerAngles),
+    /// Three rows of three numbers as written, which need not be a rotation.
+    Matrix(Matrix3<f64>),
+}
+
+impl ParsedRotation {
+    /// What it is, for the sentences of problems.
+    pub(crate) const fn in_words(&self) -> &'static str {
+        match self {
+            Self::Quaternion(_) => "a quaternion",
+            Self::AxisAngle(_) => "an axis and an angle",
+            Self::RotationVector(_) => "a rotation vector",
+            Self::EulerAngles(_) => "a set of Euler angles",
+            Self::Matrix(_) => "a matrix",
+        }
+    }
+}
+
+/// A turn by an angle about an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedAxisAngle {
+    /// The axis as written: of any length but zero.
+    pub axis: Vector3<f64>,
+    /// The angle in radians, of any size and sign.
+    pub angle_rad: f64,
+    /// How the unit of the angle was told.
+    pub unit: UnitSource,
+}
+
+/// An axis whose length is the angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedRotationVector {
+    /// In radians, of any length.
+    pub vector_rad: Vector3<f64>,
+    /// How the unit was told.
+    pub unit: UnitSource,
+}
+
+/// Three turns about coordinate axes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedEulerAngles {
+    /// Which axes, in which order, and whether they move.
+    pub sequence: EulerSequence,
+    /// The angles in radians, in the order of the axes.
+    pub angles_rad: [f64; 3],
+    /// How the unit of the angles was told.
+    pub unit: UnitSource,
+}
+
+pub(crate) fn axis_angle(
+    axis: Vector3<f64>,
+    angle: Angle,
+    rule: UnitRule,
+) -> Result<ParsedRotation, Fault> {
+    let ([angle_rad], unit) = angles::in_radians([angle], rule)?;
+    Ok(ParsedRotation::AxisAngle(ParsedAxisAngle {
+        axis,
+        angle_rad,
+        unit,
+    }))
+}
+
+pub(crate) fn euler_angles(
+    sequence: EulerSequence,
+    angles: [Angle; 3],
+    rule: UnitRule,
+) -> Result<ParsedRotation, Fault> {
+    let (angles_rad, unit) = angles::in_radians(angles, rule)?;
+    Ok(ParsedRotation::EulerAngles(ParsedEulerAngles {
+        sequence,
+        angles_rad,
+        unit,
+    }))
+}
+
+pub(crate) fn rotation_vector(angles: [Angle; 3], rule: UnitRule) -> Result<ParsedRotation, Fault> {
+    let (vector_rad, unit) = angles::in_radians(angles, rule)?;
+    Ok(ParsedRotation::RotationVector(ParsedRotationVector {
+        vector_rad: vector_rad.into(),
+        unit,
+    }))
+}
+
+/// What the three numbers of Euler angles and of a rotation vector are, for a sentence.
+pub(crate) const THREE_ANGLES: &str = "three angles, one for each axis of the sequence";
+pub(crate) const THREE_NUMBERS: &str = "three numbers: the axis times the angle";
+
+/// Three numbers that may have units, in any brackets.
+pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
+    let entries = members(entries);
+    check_separators(&entries, span)?;
+    let angles: Vec<Angle> = entries
+        .iter()
+        .map(|entry| match entry.key {
+            Some(key) => Err(Fault::unknown_argument(key.span, key.name)),
+            None => Ok((entry.node.angle()?, entry.node.span)),
+        })
+        .collect::<Result<_, _>>()?;
+    angles
+        .try_into()
+        .map_err(|found: Vec<Angle>| Fault::count_of_angles(span, found.len(), what))
+}

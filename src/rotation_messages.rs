@@ -1,0 +1,352 @@
+//! The sentences of the problems that are about rotations and what stands for them.
+
+use crate::angle::AngleUnit;
+use crate::matrix_messages::UPPER_LEFT;
+use crate::messages::{Fault, QUOTED_CHARACTERS};
+use crate::problem::{ProblemCode, Span, Wanted, shorten};
+
+/// The words that announce what the numbers are, each with an example.
+const ANNOUNCEMENTS: &str = "say what they are: 45deg about z, rotvec 0 0 0.785, \
+                             ZYX 30deg 20deg 10deg, rpy 10deg 20deg 30deg, matrix 1 0 0 …";
+
+const AXIS: &str = "an axis: x, y, z, -x, …, or three numbers";
+
+impl Fault {
+    pub(crate) fn not_applied(span: Span, name: &str, wanted: Wanted) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{name} is not applied here, so its numbers would mean something else"),
+            wanted.in_words(),
+            "write the numbers that come out of it",
+        )
+    }
+
+    pub(crate) fn not_a_quaternion(span: Span, what: &str) -> Self {
+        Self::new(
+            ProblemCode::NotAQuaternion,
+            span,
+            format!("this is {what}, and a quaternion is wanted here"),
+            "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k",
+            "write the four numbers of its quaternion",
+        )
+    }
+
+    pub(crate) fn angle_for_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "an angle cannot stand here",
+            "a number without a unit",
+            "say what the angle belongs to: 45° about z, ZYX 30° 20° 10°, cos(22.5°) + sin(22.5°) k",
+        )
+    }
+
+    pub(crate) fn axis_and_angle(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a vector and then a number in this call are an axis and an angle of unknown unit",
+            "the four numbers of a quaternion",
+            "write the turn in words: 45deg about [0, 0, 1]",
+        )
+    }
+
+    pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
+        let (expected, hint) = match wanted {
+            Wanted::Quaternion => count_of_rotation(found),
+            Wanted::Vector if found > 3 => (
+                "three numbers: x, y, z",
+                "keep the three numbers of one vector; a decimal sign is a point, not a comma",
+            ),
+            Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
+        };
+        let numbers = if found == 1 { "number" } else { "numbers" };
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{found} {numbers} in place of {}", wanted.count()),
+            expected,
+            hint,
+        )
+    }
+
+    pub(crate) fn scalar_in_vector(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ScalarInVector,
+            span,
+            "a vector has no scalar part",
+            "x, y and z, or a sum of i, j and k",
+            "remove the scalar",
+        )
+    }
+
+    pub(crate) fn zero_quaternion(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ZeroQuaternion,
+            span,
+            "all four components are zero: this is not a rotation",
+            "at least one component that is not zero",
+            "the quaternion of no turn is w=1, x=0, y=0, z=0",
+        )
+    }
+
+    pub(crate) fn zero_axis(span: Span) -> Self {
+        Self::new(
+            ProblemCode::ZeroAxis,
+            span,
+            "an axis of length zero names no direction",
+            "at least one number that is not zero",
+            "write the axis, such as [0, 0, 1]; no turn at all is 0 about z",
+        )
+    }
+
+    pub(crate) fn no_axis(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnexpectedEnd,
+            span,
+            "there is no axis",
+            AXIS,
+            "write it: 45deg about z, 45deg about [1, 1, 0]",
+        )
+    }
+
+    pub(crate) fn no_angle(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnexpectedEnd,
+            span,
+            "there is no angle",
+            "an angle and an axis, as in 45deg about z",
+            "write the angle, such as 45deg or pi/4",
+        )
+    }
+
+    pub(crate) fn unknown_axis(span: Span, word: &str) -> Self {
+        let word = shorten(word, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{word} is not an axis"),
+            AXIS,
+            "write the axis as three numbers: [0, 0, 1] is z",
+        )
+    }
+
+    pub(crate) fn count_of_angles(span: Span, found: usize, what: &str) -> Self {
+        let numbers = if found == 1 { "number" } else { "numbers" };
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{found} {numbers} in place of 3"),
+            what,
+            if found < 3 {
+                "add what is missing; 0 is an angle too"
+            } else {
+                "keep the three of one rotation; a decimal sign is a point, not a comma"
+            },
+        )
+    }
+
+    pub(crate) fn one_angle(span: Span) -> Self {
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            "these are several values in place of one angle",
+            "one angle, such as 45deg, 0.785 or pi/4",
+            "keep the angle alone",
+        )
+    }
+
+    pub(crate) fn axis_angle_parts(span: Span) -> Self {
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            "an axis and an angle were announced, and this is something else",
+            "three numbers for the axis and one for the angle",
+            "write axis-angle [0, 0, 1] 45deg, or 45deg about z",
+        )
+    }
+
+    pub(crate) fn missing_part(span: Span, names: &[&str]) -> Self {
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        let examples: Vec<_> = names.iter().map(|name| format!("{name}=0")).collect();
+        Self::new(
+            ProblemCode::MissingComponent,
+            span,
+            format!("{} {verb} missing", names.join(", ")),
+            "all of roll, pitch and yaw",
+            format!("add {} if that is what is meant", examples.join(", ")),
+        )
+    }
+
+    pub(crate) fn duplicate_part(span: Span, name: &str) -> Self {
+        Self::new(
+            ProblemCode::DuplicateComponent,
+            span,
+            format!("{name} is given twice"),
+            "each part once",
+            format!("remove one {name}"),
+        )
+    }
+
+    pub(crate) fn mixed_parts(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedNames,
+            span,
+            "this belongs to another description of a rotation than what stands before it",
+            "axis and angle, or roll, pitch and yaw",
+            "keep one of them",
+        )
+    }
+
+    pub(crate) fn unknown_keyword(span: Span, word: &str) -> Self {
+        let word = shorten(word, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{word} does not say what these numbers are"),
+            "four numbers of a quaternion, or a word that is known here before the numbers",
+            ANNOUNCEMENTS,
+        )
+    }
+
+    pub(crate) fn unknown_argument(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownComponent,
+            span,
+            format!("the argument {name} is not known here, and it may change the numbers"),
+            "the numbers of the rotation and their unit",
+            "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
+        )
+    }
+
+    pub(crate) fn unknown_arguments(span: Span, name: &str, expected: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("these are not the arguments of {name}"),
+            expected,
+            "write them in this order, or the rotation in words: 45deg about z",
+        )
+    }
+
+    pub(crate) fn no_sequence(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnknownSequence,
+            span,
+            "nothing says about which axes these angles turn, and in which order",
+            "a sequence of three axes: capitals for axes that move (ZYX), small letters for fixed \
+             ones (xyz)",
+            "write ZYX 30deg 20deg 10deg, or roll=10deg pitch=20deg yaw=30deg",
+        )
+    }
+
+    pub(crate) fn unknown_sequence(span: Span, written: &str) -> Self {
+        let letters: Vec<char> = written
+            .chars()
+            .filter(|mark| mark.is_alphanumeric())
+            .collect();
+        let follows_itself = letters
+            .windows(2)
+            .any(|pair| pair[0].eq_ignore_ascii_case(&pair[1]));
+        let is_mixed = letters.iter().any(char::is_ascii_lowercase)
+            && letters.iter().any(char::is_ascii_uppercase);
+        let written = shorten(written, QUOTED_CHARACTERS);
+        let (message, hint) = match (letters.len(), follows_itself, is_mixed) {
+            (3, true, _) => (
+                format!(
+                    "{written} is no Euler sequence: an axis follows itself, so two of its turns are one"
+                ),
+                "write the sequence that is meant, such as ZYX or ZXZ",
+            ),
+            (3, false, true) => (
+                format!(
+                    "{written} has capitals and small letters, so it does not say whether its axes move"
+                ),
+                "write ZYX for axes that move (intrinsic), or zyx for fixed ones (extrinsic)",
+            ),
+            _ => (
+                format!("{written} is no Euler sequence"),
+                "write a sequence such as ZYX, zyx or 3-2-1",
+            ),
+        };
+        Self::new(
+            ProblemCode::UnknownSequence,
+            span,
+            message,
+            "three axes, none after itself",
+            hint,
+        )
+    }
+
+    pub(crate) fn contradicting_frame(span: Span, written: &str) -> Self {
+        Self::new(
+            ProblemCode::UnknownSequence,
+            span,
+            format!("{written} says by its first letter the opposite of the word beside it"),
+            "s for static (extrinsic) axes, r for rotating (intrinsic) ones, or the word alone",
+            "remove the letter or the word",
+        )
+    }
+
+    pub(crate) fn second_unit(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "this angle has a unit already",
+            "one unit for each angle",
+            "remove one of them",
+        )
+    }
+
+    pub(crate) fn mixed_units(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "this angle has another unit than the others",
+            "all the angles in degrees, or all in radians",
+            "write all of them in one unit (a π means radians)",
+        )
+    }
+
+    pub(crate) fn missing_unit(span: Span, unit: AngleUnit) -> Self {
+        let name = match unit {
+            AngleUnit::Degrees => "deg",
+            AngleUnit::Radians => "rad",
+        };
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "this angle has no unit while another has one",
+            "a unit beside every angle, or one apart at the end for all",
+            format!(
+                "write {name} right after it, or a space and {name} once after the last number"
+            ),
+        )
+    }
+}
+
+/// What a count of bare numbers may have been meant as.
+fn count_of_rotation(found: usize) -> (&'static str, &'static str) {
+    const FOUR: &str = "four numbers: w and x, y, z";
+    const FOUR_OR_NINE: &str = "four numbers of a quaternion, or nine of a matrix";
+    match found {
+        3 => (FOUR, ANNOUNCEMENTS),
+        0..=2 => (
+            FOUR,
+            "add what is missing, or name what is there: 0.92 + 0.38k",
+        ),
+        5 => (
+            FOUR,
+            "keep the four numbers of one quaternion; a decimal sign is a point, not a comma",
+        ),
+        12 | 16 => (FOUR_OR_NINE, UPPER_LEFT),
+        _ => (
+            FOUR_OR_NINE,
+            "keep the numbers of one rotation; a decimal sign is a point, not a comma",
+        ),
+    }
+}

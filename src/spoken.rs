@@ -1,0 +1,286 @@
+//! What the words of a text announce: which description of a rotation its numbers are.
+//!
+//! It works on tokens, before any arithmetic: `3-2-1` is a sequence here and a difference later.
+
+use crate::angle::AngleUnit;
+use crate::euler_sequence::{EulerFrame, EulerSequence};
+use crate::lex::{Bracket, Token, TokenKind, last_segment};
+use crate::messages::Fault;
+use crate::phrases::{
+    Form, Phrase, Said, digits_ahead, euler_sequence, is_mark, is_name, is_sequence, phrase_ahead,
+};
+use crate::problem::Span;
+
+/// What a text says of its numbers in words.
+pub(crate) enum Spoken<'s, 't> {
+    /// Nothing: the numbers, names and calls must tell it.
+    Nothing,
+    /// `45deg about z`: what stands before and after the word.
+    About {
+        before: &'s [Token<'t>],
+        word: Span,
+        after: &'s [Token<'t>],
+    },
+    /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
+    Parts(Vec<SpokenPart<'s, 't>>),
+    /// `rotvec 0 0 0.785`: what is announced and what follows it.
+    Announced(Announcement<'t>, &'s [Token<'t>]),
+}
+
+pub(crate) struct SpokenPart<'s, 't> {
+    pub(crate) part: Part,
+    pub(crate) label: Span,
+    pub(crate) tokens: &'s [Token<'t>],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    Axis,
+    Angle,
+    Roll,
+    Pitch,
+    Yaw,
+}
+
+impl Part {
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Axis => "axis",
+            Self::Angle => "angle",
+            Self::Roll => "roll",
+            Self::Pitch => "pitch",
+            Self::Yaw => "yaw",
+        }
+    }
+
+    fn named(token: &Token<'_>) -> Option<Self> {
+        if !is_name(token) {
+            return None;
+        }
+        Some(
+            match last_segment(token.text).to_ascii_lowercase().as_str() {
+                "axis" => Self::Axis,
+                "angle" => Self::Angle,
+                "roll" => Self::Roll,
+                "pitch" => Self::Pitch,
+                "yaw" => Self::Yaw,
+                _ => return None,
+            },
+        )
+    }
+}
+
+/// The words before the numbers.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Announcement<'t> {
+    pub(crate) form: Option<Form>,
+    pub(crate) frame: Option<EulerFrame>,
+    pub(crate) sequence: Option<Sequence<'t>>,
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) span: Span,
+}
+
+/// The axes of Euler angles: as their usual name has them, or as written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sequence<'t> {
+    Named(EulerSequence),
+    Written(&'t str, Span),
+}
+
+/// Brackets around a whole text, and labels before it, that are looked behind for words.
+const MOST_WRAPPINGS: usize = 3;
+
+pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'s, 't> {
+    let mut tokens = attribute(tokens).unwrap_or(tokens);
+    for _ in 0..=MOST_WRAPPINGS {
+        if let Some((announcement, length)) = announcement(tokens, text) {
+            return Spoken::Announced(announcement, &tokens[length..]);
+        }
+        if let Some(parts) = parts(tokens) {
+            return Spoken::Parts(parts);
+        }
+        let about = at_depth_zero(tokens)
+            .find(|&at| is_name(&tokens[at]) && matches!(tokens[at].text, "about" | "around"));
+        if let Some(at) = about {
+            return Spoken::About {
+                before: after_label(&tokens[..at]).unwrap_or(&tokens[..at]),
+                word: tokens[at].span,
+                after: &tokens[at + 1..],
+            };
+        }
+        match inside(tokens).or_else(|| after_label(tokens)) {
+            Some(inner) => tokens = inner,
+            None => break,
+        }
+    }
+    Spoken::Nothing
+}
+
+/// The places of the tokens outside all brackets.
+fn at_depth_zero<'s>(tokens: &'s [Token<'_>]) -> impl Iterator<Item = usize> + use<'s> {
+    let mut depth = 0_usize;
+    (0..tokens.len()).filter(move |&at| match tokens[at].kind {
+        TokenKind::Open(_) => {
+            depth += 1;
+            false
+        }
+        TokenKind::Close(_) => {
+            depth = depth.saturating_sub(1);
+            false
+        }
+        _ => depth == 0,
+    })
+}
+
+/// What stands in brackets that enclose everything.
+pub(crate) fn inside<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
+    let [first, inner @ .., last] = tokens else {
+        return None;
+    };
+    let encloses = matches!(first.kind, TokenKind::Open(_))
+        && matches!(last.kind, TokenKind::Close(_))
+        && at_depth_zero(tokens).next().is_none();
+    encloses.then_some(inner)
+}
+
+/// What stands after a name of the whole, as in `q = 45deg about z`.
+fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
+    match tokens {
+        [name, mark, rest @ ..] if is_name(name) && is_mark(Some(mark)) => Some(rest),
+        _ => None,
+    }
+}
+
+/// The `rpy="…"` of an element of URDF.
+fn attribute<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
+    let is_attribute = |three: &[Token<'_>]| {
+        three[0].text == "rpy" && is_mark(three.get(1)) && three[2].kind == TokenKind::Quoted
+    };
+    let is_element = tokens.first()?.kind == TokenKind::Open(Bracket::Angle);
+    let found = tokens.windows(3).find(|three| is_attribute(three));
+    found.filter(|_| is_element)
+}
+
+/// The parts whose names a text begins with.
+pub(crate) fn parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s, 't>>> {
+    let found: Vec<(usize, Part)> = at_depth_zero(tokens)
+        .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
+        .collect();
+    let &(first, _) = found.first()?;
+    // A type may stand before the first name, as in `double roll = 0.1`.
+    if first > 1 || (first == 1 && !is_name(&tokens[0])) {
+        return None;
+    }
+    let ends = found.iter().skip(1).map(|&(at, _)| at);
+    let parts = found.iter().zip(ends.chain([tokens.len()]));
+    Some(
+        parts
+            .map(|(&(at, part), end)| SpokenPart {
+                part,
+                label: tokens[at].span,
+                tokens: &tokens[at + 1 + usize::from(is_mark(tokens.get(at + 1)))..end],
+            })
+            .collect(),
+    )
+}
+
+/// The words at the start of a text that announce a form, and how many tokens they are.
+fn announcement<'t>(tokens: &[Token<'t>], text: &'t str) -> Option<(Announcement<'t>, usize)> {
+    let mut words = Announcement::default();
+    let mut at = 0;
+    loop {
+        // `euler: ZYX …`
+        let mark = usize::from(at > 0 && is_mark(tokens.get(at)));
+        match words.take(&tokens[at + mark..], text) {
+            Some(length) => at += mark + length,
+            None => break,
+        }
+    }
+    // A frame or a unit alone announces nothing.
+    words.form?;
+    if is_mark(tokens.get(at)) {
+        at += 1;
+    }
+    words.span = tokens[0].span.to(tokens[at - 1].span);
+    Some((words, at))
+}
+
+impl<'t> Announcement<'t> {
+    /// Takes in what the next tokens say; how many they are, or `None` where they say nothing.
+    fn take(&mut self, tokens: &[Token<'t>], text: &'t str) -> Option<usize> {
+        let first = tokens.first()?;
+        let is_label = is_mark(tokens.get(1));
+        if self.sequence.is_none() {
+            if let Some(length) = digits_ahead(tokens, self.form) {
+                let span = first.span.to(tokens[length - 1].span);
+                self.set_sequence(Sequence::Written(&text[span.start..span.end], span));
+                return Some(length);
+            }
+            // `xyz=` is a translation in URDF.
+            if is_name(first)
+                && is_sequence(first.text)
+                && !(is_label && first.text == "xyz" && self.form.is_none())
+            {
+                self.set_sequence(Sequence::Written(first.text, first.span));
+                return Some(1);
+            }
+        }
+        if let [open, inner, close, ..] = tokens
+            && self.form.is_some()
+            && matches!(open.kind, TokenKind::Open(_))
+            && matches!(close.kind, TokenKind::Close(_))
+            && (inner.angle_unit().is_some() || (is_name(inner) && is_sequence(inner.text)))
+        {
+            return self.take(&[*inner], text).map(|_| 3);
+        }
+        if self.form.is_some()
+            && let Some(unit) = first.angle_unit()
+        {
+            self.unit = Some(unit);
+            return Some(1);
+        }
+        self.take_phrase(tokens)
+    }
+
+    fn take_phrase(&mut self, tokens: &[Token<'t>]) -> Option<usize> {
+        let Phrase { said, unit, length } = phrase_ahead(tokens)?;
+        let next = tokens.get(length);
+        // `quaternion: …` and `quaternion(…)` tell themselves.
+        let tells_itself =
+            is_mark(next) || next.is_some_and(|next| matches!(next.kind, TokenKind::Open(_)));
+        let is_free = |form| self.form.is_none_or(|own| own == form);
+        match said {
+            Said::Form(Form::Quaternion) if tells_itself => return None,
+            Said::Form(form) if is_free(form) => self.form = Some(form),
+            Said::Frame(frame) if is_free(Form::Euler) && !is_mark(next) => {
+                self.frame = Some(frame);
+                self.form = Some(Form::Euler);
+            }
+            Said::Angles(sequence) if self.sequence.is_none() && is_free(Form::Euler) => {
+                self.set_sequence(Sequence::Named(sequence));
+            }
+            Said::Form(_) | Said::Frame(_) | Said::Angles(_) => return None,
+        }
+        self.unit = self.unit.or(unit);
+        Some(length)
+    }
+
+    fn set_sequence(&mut self, sequence: Sequence<'t>) {
+        self.sequence = Some(sequence);
+        self.form = Some(Form::Euler);
+    }
+
+    /// The sequence of Euler angles; a problem where it is none, or is missing.
+    pub(crate) fn euler_sequence(&self) -> Result<EulerSequence, Fault> {
+        let Some(sequence) = self.sequence else {
+            return Err(Fault::no_sequence(self.span));
+        };
+        match sequence {
+            Sequence::Named(sequence) => Ok(EulerSequence {
+                frame: self.frame.unwrap_or(sequence.frame),
+                ..sequence
+            }),
+            Sequence::Written(written, span) => euler_sequence(written, span, self.frame),
+        }
+    }
+}

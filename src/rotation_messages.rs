@@ -18,7 +18,13 @@ impl Fault {
             span,
             format!("{name} is not applied here, so its numbers would mean something else"),
             wanted.in_words(),
-            "write the numbers that come out of it",
+            match wanted {
+                Wanted::Quaternion => {
+                    "write the numbers that come out of it, or the rotation in words: \
+                     45deg about z, ZYX 30deg 20deg 10deg"
+                }
+                Wanted::Vector => "write the numbers of the vector",
+            },
         )
     }
 
@@ -61,14 +67,12 @@ impl Fault {
             ),
             Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
         };
-        let numbers = if found == 1 { "number" } else { "numbers" };
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{found} {numbers} in place of {}", wanted.count()),
-            expected,
-            hint,
-        )
+        let message = if wanted == Wanted::Quaternion && found > 5 {
+            format!("{found} numbers are no quaternion, which has 4, and no matrix, which has 9")
+        } else {
+            format!("{} in place of {}", numbers(found), wanted.count())
+        };
+        Self::new(ProblemCode::WrongCount, span, message, expected, hint)
     }
 
     pub(crate) fn scalar_in_vector(span: Span) -> Self {
@@ -133,11 +137,10 @@ impl Fault {
     }
 
     pub(crate) fn count_of_angles(span: Span, found: usize, what: &str) -> Self {
-        let numbers = if found == 1 { "number" } else { "numbers" };
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{found} {numbers} in place of 3"),
+            format!("{} in place of 3", numbers(found)),
             what,
             if found < 3 {
                 "add what is missing; 0 is an angle too"
@@ -336,35 +339,25 @@ impl Fault {
                 "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
             ),
         };
-        let numbers = if found == 1 { "number" } else { "numbers" };
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{found} {numbers}{shape} in place of 9"),
+            format!("{}{shape} in place of 9", numbers(found)),
             THREE_ROWS,
             hint,
         )
     }
 
     pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
-        let is_even = rows.iter().all(|length| *length == rows[0]);
+        let first = rows.first().copied().unwrap_or_default();
+        let is_even = rows.iter().all(|length| *length == first);
         let message = if is_even {
-            let length = rows.first().copied().unwrap_or_default();
-            format!("{} rows of {length} in place of 3 rows of 3", rows.len())
-        } else if rows.len() > MOST_ROWS_LISTED {
-            format!(
-                "{} rows of different lengths in place of 3 rows of 3",
-                rows.len()
-            )
+            format!("{} rows of {first} in place of 3 rows of 3", rows.len())
         } else {
-            let lengths: Vec<_> = rows.iter().map(ToString::to_string).collect();
-            format!(
-                "rows of {} numbers in place of 3 rows of 3",
-                lengths.join(", ")
-            )
+            "the rows have different lengths in place of 3 rows of 3".to_owned()
         };
-        let hint = match (rows.len(), is_even, rows.first()) {
-            (3 | 4, true, Some(4)) => UPPER_LEFT,
+        let hint = match (rows.len(), is_even, first) {
+            (3 | 4, true, 4) => UPPER_LEFT,
             _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
         };
         Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
@@ -376,8 +369,12 @@ const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
      three rows";
 
-/// How many row lengths a message lists.
-const MOST_ROWS_LISTED: usize = 6;
+fn numbers(count: usize) -> String {
+    match count {
+        1 => "1 number".to_owned(),
+        _ => format!("{count} numbers"),
+    }
+}
 
 /// What a count of bare numbers may have been meant as.
 fn count_of_rotation(found: usize) -> (&'static str, &'static str) {

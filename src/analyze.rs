@@ -24,13 +24,8 @@ use crate::request::{ComposeRequest, ReadRequest, Request};
 /// use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
 ///
 /// // Four numbers of a JPL filter: x y z w, world to body; a quarter turn about z.
-/// let outcome = analyze(&Request::Read(ReadRequest {
-///     quaternion: "0 0 1/√2 1/√2".into(),
-///     vector: "1 0 0".into(),
-///     convention: Convention::JPL,
-///     matrix: Default::default(),
-///     euler: Default::default(),
-/// }));
+/// let request = ReadRequest::new("0 0 1/√2 1/√2", "1 0 0", Convention::JPL);
+/// let outcome = analyze(&Request::Read(request));
 /// let Outcome::Read(report) = outcome else { panic!("{outcome:?}") };
 ///
 /// // The world's x axis, seen from the body, is −y; the body's, seen from the world, is y.

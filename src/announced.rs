@@ -6,7 +6,9 @@ use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, tr
 use crate::calls;
 use crate::euler_sequence::EulerSequence;
 use crate::lex::{self, Token, TokenKind};
+use crate::linear::Linear;
 use crate::matrix_rows;
+use crate::meaning;
 use crate::messages::Fault;
 use crate::numbers::{check_separators, members};
 use crate::phrases::Form;
@@ -131,6 +133,11 @@ pub(crate) fn announced(
         }
         Form::RotationVector => {
             let entries = syntax::entries(rest)?;
+            if members(&entries).iter().any(|entry| entry.key.is_some()) {
+                let part = |number| (Linear::real(number), span);
+                let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
+                return rotation_vector(vector.map(part), rule(radians));
+            }
             rotation_vector(three(&entries, span, THREE_NUMBERS)?, rule(radians))
         }
         Form::Euler => {

@@ -57,7 +57,7 @@ pub(crate) fn axis(tokens: &[Token<'_>], before: Span) -> Result<Vector3<f64>, F
 /// `the z axis`, `z-axis`
 fn without_fillers<'s, 't>(mut tokens: &'s [Token<'t>]) -> &'s [Token<'t>] {
     let is = |token: &Token<'_>, word| token.kind == TokenKind::Word && token.text == word;
-    if let [first, rest @ ..] = tokens
+    while let [first, rest @ ..] = tokens
         && (is(first, "the") || is(first, "axis"))
     {
         tokens = rest;
@@ -87,7 +87,8 @@ pub(crate) fn letter_ahead<'s, 't>(
     let (letter, rest) = rest.split_first()?;
     let is_name = matches!(letter.kind, TokenKind::Word | TokenKind::Quoted);
     let axis = is_name.then(|| letter_axis(letter.text)).flatten()?;
-    Some((axis * sign, rest))
+    // No −0 in the other two.
+    Some((axis.map(|part| part * sign + 0.0), rest))
 }
 
 fn letter_axis(letter: &str) -> Option<Vector3<f64>> {

@@ -339,7 +339,7 @@ impl<'e, 't> RotationCall<'e, 't> {
         let by_axis = self.three(angles, THREE_ANGLES)?;
         let angles = sequence.axes.axes().map(|axis| by_axis[axis.index()]);
         if sequence.is_proper() || sequence.frame == EulerFrame::Extrinsic {
-            return Err(Fault::unknown_sequence(span, letters));
+            return Err(self.arguments("three angles and three different letters, as in 'XYZ'"));
         }
         euler_angles(sequence, angles, RADIANS)
     }

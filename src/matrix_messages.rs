@@ -8,9 +8,6 @@ const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 pub(crate) const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
      three rows";
 
-/// How many row lengths a message lists.
-const MOST_ROWS_LISTED: usize = 6;
-
 impl Fault {
     pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
         let (shape, hint) = match found {
@@ -21,35 +18,25 @@ impl Fault {
                 "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
             ),
         };
-        let numbers = if found == 1 { "number" } else { "numbers" };
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{found} {numbers}{shape} in place of 9"),
+            format!("{}{shape} in place of 9", numbers(found)),
             THREE_ROWS,
             hint,
         )
     }
 
     pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
-        let is_even = rows.iter().all(|length| *length == rows[0]);
+        let first = rows.first().copied().unwrap_or_default();
+        let is_even = rows.iter().all(|length| *length == first);
         let message = if is_even {
-            let length = rows.first().copied().unwrap_or_default();
-            format!("{} rows of {length} in place of 3 rows of 3", rows.len())
-        } else if rows.len() > MOST_ROWS_LISTED {
-            format!(
-                "{} rows of different lengths in place of 3 rows of 3",
-                rows.len()
-            )
+            format!("{} rows of {first} in place of 3 rows of 3", rows.len())
         } else {
-            let lengths: Vec<_> = rows.iter().map(ToString::to_string).collect();
-            format!(
-                "rows of {} numbers in place of 3 rows of 3",
-                lengths.join(", ")
-            )
+            "the rows have different lengths in place of 3 rows of 3".to_owned()
         };
-        let hint = match (rows.len(), is_even, rows.first()) {
-            (3 | 4, true, Some(4)) => UPPER_LEFT,
+        let hint = match (rows.len(), is_even, first) {
+            (3 | 4, true, 4) => UPPER_LEFT,
             _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
         };
         Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
@@ -116,5 +103,13 @@ fn short(number: f64) -> String {
         rounded.to_string()
     } else {
         format!("{number:.3e}")
+    }
+}
+
+/// A count of numbers in words.
+pub(crate) fn numbers(count: usize) -> String {
+    match count {
+        1 => "1 number".to_owned(),
+        _ => format!("{count} numbers"),
     }
 }

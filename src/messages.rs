@@ -121,7 +121,7 @@ impl Fault {
             span,
             "this factor belongs to all the numbers of the next lines",
             "the numbers themselves",
-            "multiply the numbers by it (a common factor does not change the rotation)",
+            "multiply the numbers by it (a common factor of a quaternion does not change the rotation)",
         )
     }
 
@@ -326,7 +326,7 @@ impl Fault {
             span,
             "this is larger than any double (about 1.8e308)",
             "a number that a double can hold",
-            "divide all the numbers by the same factor: the rotation stays the same",
+            "write a smaller number; the numbers of a quaternion may be divided by a common factor",
         )
     }
 
@@ -336,7 +336,7 @@ impl Fault {
             span,
             "this is not zero, yet a double would make it zero (below about 5e-324)",
             "a number that a double can hold, or 0",
-            "write 0, or multiply all the numbers by the same factor",
+            "write 0; the numbers of a quaternion may be multiplied by a common factor",
         )
     }
 

@@ -58,10 +58,11 @@ impl NearestRotation {
         if !matrix.iter().all(|entry| entry.is_finite()) {
             return Err(NoNearestRotation::NotFinite);
         }
-        let rotation = nearest(matrix).ok_or(NoNearestRotation::Singular)?;
+        // First, since a mirror image of an axis has two rotations that are equally near.
         if unit_size(matrix).determinant() < 0.0 {
             return Err(NoNearestRotation::Reflection);
         }
+        let rotation = nearest(matrix).ok_or(NoNearestRotation::Singular)?;
         let difference = matrix - rotation.body_to_world_matrix();
         Ok(Self {
             rotation,

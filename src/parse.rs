@@ -1,7 +1,8 @@
 //! Text to numbers: everything people paste, and nothing about rotations.
 //!
-//! What comes in is text as typed; what goes out is four (or three) finite
-//! numbers by name, and how the text told which number is which.
+//! What comes in is text as typed; what goes out is finite numbers by name, what they describe
+//! (a quaternion, an axis with its angle, a rotation vector, Euler angles, a matrix or a vector), and
+//! how the text told it.
 //!
 //! # What is accepted
 //!
@@ -13,6 +14,26 @@
 //! | a sum of units, in any order | `0.92 + 0.38k`, `k sin(pi/8) + cos(pi/8)` |
 //! | scalar and vector | `0.92 [0, 0, 0.38]`, `[[0, 0, 0.38], 0.92]` |
 //! | a constructor call | `Eigen::Quaterniond(0.92, 0, 0, 0.38)`, `Rotation.from_quat([0, 0, 0.38, 0.92])` |
+//! | axis and angle | `45deg about z`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
+//! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
+//! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
+//! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
+//! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
+//! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
+//!
+//! # Degrees or radians
+//!
+//! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
+//! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
+//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn,
+//! and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//!
+//! # Which sequence
+//!
+//! Capitals are axes that move (intrinsic), small letters axes that stay (extrinsic), as in `SciPy`;
+//! the words `intrinsic` and `extrinsic` win over the letters. `rpy` and named roll, pitch and yaw
+//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. In `ZYX: 30, 20, 10` and
+//! `3-2-1 30 20 10` the sequence is no name and no difference, whatever follows.
 //!
 //! # Grammar
 //!
@@ -21,12 +42,13 @@
 //! members  = { member [","] }              white space, "," and ";" separate
 //! member   = { name (":" | "=") } sum
 //! sum      = product { ("+" | "-") product }
-//! product  = signed { ("*" | "/") signed | atom | "deg" | "°" }
+//! product  = signed { ("*" | "/") signed | atom | unit }
 //! signed   = { "+" | "-" } atom
 //! atom     = number | "i" | "j" | "k" | "pi" | "tau"
 //!          | function "(" sum ")" | "√" atom
 //!          | ("(" | "[" | "{" | "<") members (")" | "]" | "}" | ">")
 //!          | name { name } "(" members ")"
+//! unit     = "deg" | "°" | "rad"
 //! function = "sqrt" | "abs" | "sin" | "cos" | "tan" | "asin" | "acos" | "atan"
 //! ```
 //!
@@ -39,8 +61,10 @@
 //! - `−` (U+2212), `–`, `·`, `×`, `÷`, `√`, `π`, `½` mean what they look like.
 //! - Commas stand between all the numbers of a list or between none, so that a decimal comma is not
 //!   read as two numbers.
-//! - A call is read only if it makes a quaternion or a vector of its numbers, or holds them:
-//!   `inverse(…)`, `fromEuler(…)` and the like are refused, because they are not applied here.
+//! - A call is read only if it is known what it makes of its numbers: `inverse(…)`, `exp(…)` and the
+//!   like are refused, because they are not applied here.
+//! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
+//!   the grammar, which then reads the pieces between them.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.
 //! - Comments (`#`, `//`, `/* */`), declarations (`const Eigen::Quaterniond q(…);`), float suffixes (`0.5f`)
 //!   and casts (`np.float64(0.5)`) are read past.

@@ -138,13 +138,15 @@ pub(crate) fn is_sequence(word: &str) -> bool {
     letters.len() == 3 && letters.chars().all(is_axis)
 }
 
-/// How many tokens at the start are a sequence in digits: `3-2-1`, or `321` after `euler`.
+/// How many tokens at the start are a sequence with dashes, `3-2-1` or `Z-Y-X`, or `321` after
+/// `euler`.
 ///
 /// Three digits that are no sequence are a difference unless Euler angles are announced.
 pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<usize> {
     let is_euler = form == Some(Form::Euler);
     let are_axes = |text: &str, count: usize| {
-        text.len() == count && text.chars().all(|digit| matches!(digit, '1'..='3'))
+        let is_axis = |mark| matches!(mark, '1'..='3' | 'x'..='z' | 'X'..='Z');
+        text.len() == count && text.chars().all(is_axis)
     };
     if let [number, _, ..] = tokens
         && is_euler
@@ -172,6 +174,8 @@ pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<u
         TokenKind::Plus | TokenKind::Minus => rest
             .get(1)
             .is_some_and(|after| !after.spacing.is_adjacent()),
+        // A factor: `3-2-1 k` is a number of k.
+        TokenKind::Word => matches!(next.text, "i" | "j" | "k"),
         TokenKind::Comma | TokenKind::Times | TokenKind::Divide | TokenKind::Close(_) => true,
         _ => false,
     };

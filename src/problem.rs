@@ -229,11 +229,7 @@ impl Problem {
     /// ```
     /// # use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
     /// let text = "🙂 0 0 1";
-    /// let request = Request::Read(ReadRequest {
-    ///     quaternion: text.into(),
-    ///     vector: "1 0 0".into(),
-    ///     convention: Convention::HAMILTON,
-    /// });
+    /// let request = Request::Read(ReadRequest::new(text, "1 0 0", Convention::HAMILTON));
     /// let Outcome::Problems(found) = analyze(&request) else { panic!() };
     /// let lines = found.problems[0].render(text);
     /// assert!(lines.contains("\n  | 🙂 0 0 1\n  | ^^\n"), "{lines}");

@@ -50,3 +50,31 @@ pub struct ComposeRequest {
     #[serde(default)]
     pub matrix: MatrixConvention,
 }
+
+impl ReadRequest {
+    /// The request with a matrix body to world and the Euler angles of the aerospace sequence.
+    #[must_use]
+    pub fn new(quaternion: &str, vector: &str, convention: Convention) -> Self {
+        Self {
+            quaternion: quaternion.to_owned(),
+            vector: vector.to_owned(),
+            convention,
+            matrix: MatrixConvention::default(),
+            euler: EulerSequence::default(),
+        }
+    }
+}
+
+impl ComposeRequest {
+    /// The request with matrices body to world.
+    #[must_use]
+    pub fn new(p: &str, q: &str, vector: &str, convention: Convention) -> Self {
+        Self {
+            p: p.to_owned(),
+            q: q.to_owned(),
+            vector: vector.to_owned(),
+            convention,
+            matrix: MatrixConvention::default(),
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! The sentences of the problems that are about rotations and what stands for them.
 
 use crate::angle::AngleUnit;
-use crate::matrix_messages::UPPER_LEFT;
+use crate::matrix_messages::{UPPER_LEFT, numbers};
 use crate::messages::{Fault, QUOTED_CHARACTERS};
 use crate::problem::{ProblemCode, Span, Wanted, shorten};
 
@@ -19,7 +19,13 @@ impl Fault {
             span,
             format!("{name} is not applied here, so its numbers would mean something else"),
             wanted.in_words(),
-            "write the numbers that come out of it",
+            match wanted {
+                Wanted::Quaternion => {
+                    "write the numbers that come out of it, or the rotation in words: \
+                     45deg about z, ZYX 30deg 20deg 10deg"
+                }
+                Wanted::Vector => "write the numbers of the vector",
+            },
         )
     }
 
@@ -62,14 +68,12 @@ impl Fault {
             ),
             Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
         };
-        let numbers = if found == 1 { "number" } else { "numbers" };
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{found} {numbers} in place of {}", wanted.count()),
-            expected,
-            hint,
-        )
+        let message = if wanted == Wanted::Quaternion && found > 5 {
+            format!("{found} numbers are no quaternion, which has 4, and no matrix, which has 9")
+        } else {
+            format!("{} in place of {}", numbers(found), wanted.count())
+        };
+        Self::new(ProblemCode::WrongCount, span, message, expected, hint)
     }
 
     pub(crate) fn scalar_in_vector(span: Span) -> Self {
@@ -134,11 +138,10 @@ impl Fault {
     }
 
     pub(crate) fn count_of_angles(span: Span, found: usize, what: &str) -> Self {
-        let numbers = if found == 1 { "number" } else { "numbers" };
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{found} {numbers} in place of 3"),
+            format!("{} in place of 3", numbers(found)),
             what,
             if found < 3 {
                 "add what is missing; 0 is an angle too"

@@ -6,6 +6,7 @@ use crate::angle::AngleUnit;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Bracket, Token, TokenKind, last_segment};
 use crate::messages::Fault;
+use crate::names::component;
 use crate::phrases::{
     Form, Phrase, Said, digits_ahead, euler_sequence, is_mark, is_name, is_sequence, phrase_ahead,
 };
@@ -93,7 +94,8 @@ const MOST_WRAPPINGS: usize = 3;
 pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'s, 't> {
     let mut tokens = attribute(tokens).unwrap_or(tokens);
     for _ in 0..=MOST_WRAPPINGS {
-        if let Some((announcement, length)) = announcement(tokens, text) {
+        if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
+            let (announcement, length) = found;
             return Spoken::Announced(announcement, &tokens[length..]);
         }
         if let Some(parts) = parts(tokens) {
@@ -146,7 +148,11 @@ pub(crate) fn inside<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]>
 /// What stands after a name of the whole, as in `q = 45deg about z`.
 fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
     match tokens {
-        [name, mark, rest @ ..] if is_name(name) && is_mark(Some(mark)) => Some(rest),
+        [name, mark, rest @ ..]
+            if is_name(name) && is_mark(Some(mark)) && component(name.text).is_none() =>
+        {
+            Some(rest)
+        }
         _ => None,
     }
 }
@@ -203,6 +209,23 @@ fn announcement<'t>(tokens: &[Token<'t>], text: &'t str) -> Option<(Announcement
     }
     words.span = tokens[0].span.to(tokens[at - 1].span);
     Some((words, at))
+}
+
+/// `R << 0, -1, 0, …;` of Eigen, perhaps after the declaration of `R`.
+fn comma_initializer<'t>(tokens: &[Token<'t>]) -> Option<(Announcement<'t>, usize)> {
+    let is_before = |token: &&Token<'_>| is_name(token) || token.kind == TokenKind::Comma;
+    let at = tokens.iter().take_while(is_before).count();
+    let shift = tokens.get(at..at + 2)?;
+    let is_shift = shift[1].spacing.is_adjacent()
+        && shift
+            .iter()
+            .all(|token| token.kind == TokenKind::Open(Bracket::Angle));
+    let announcement = Announcement {
+        form: Some(Form::Matrix),
+        span: shift[0].span.to(shift[1].span),
+        ..Announcement::default()
+    };
+    (at > 0 && is_shift).then_some((announcement, at + 2))
 }
 
 impl<'t> Announcement<'t> {

@@ -176,13 +176,7 @@ fn any_four_finite_numbers_are_answered_in_plain_numbers() {
             let (p, q, vector) = (text(&numbers[..4]), text(&numbers[4..]), text(&vector));
             let convention = quatlas::Convention::JPL;
             check(&read_request(&p, &vector, convention), &[&p, &vector])?;
-            let request = Request::Compose(ComposeRequest {
-                p: p.clone(),
-                q: q.clone(),
-                vector: vector.clone(),
-                convention,
-                matrix: quatlas::MatrixConvention::BODY_TO_WORLD,
-            });
+            let request = Request::Compose(ComposeRequest::new(&p, &q, &vector, convention));
             check(&request, &[&p, &q, &vector])
         },
     );

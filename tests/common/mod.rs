@@ -7,11 +7,16 @@
 
 use quatlas::nalgebra::{Matrix3, Quaternion};
 use quatlas::{
-    ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, EulerSequence, Fact,
-    Function, Handedness, MatrixConvention, Outcome, Perturbation, Problem, ReadReport,
-    ReadRequest, Request, analyze,
+    AngleUnit, ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, Fact, Field,
+    Function, Handedness, Outcome, ParsedRotation, Perturbation, Problem, ReadReport, ReadRequest,
+    Request, UnitSource, analyze, parse_rotation,
 };
 pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
+
+pub(crate) const DEGREES: UnitSource = UnitSource::Written(AngleUnit::Degrees);
+pub(crate) const RADIANS: UnitSource = UnitSource::Written(AngleUnit::Radians);
+pub(crate) const AS_DEGREES: UnitSource = UnitSource::Assumed(AngleUnit::Degrees);
+pub(crate) const AS_RADIANS: UnitSource = UnitSource::Assumed(AngleUnit::Radians);
 
 /// All 32 conventions, in the order of the table of the specification (section 2.4).
 pub(crate) fn all_conventions() -> Vec<Convention> {
@@ -62,13 +67,7 @@ pub(crate) fn wxyz(quaternion: &Quaternion<f64>) -> [f64; 4] {
 }
 
 pub(crate) fn read_request(quaternion: &str, vector: &str, convention: Convention) -> Request {
-    Request::Read(ReadRequest {
-        quaternion: quaternion.into(),
-        vector: vector.into(),
-        convention,
-        matrix: MatrixConvention::BODY_TO_WORLD,
-        euler: EulerSequence::AEROSPACE,
-    })
+    Request::Read(ReadRequest::new(quaternion, vector, convention))
 }
 
 #[track_caller]
@@ -81,17 +80,22 @@ pub(crate) fn read(quaternion: &str, vector: &str, convention: Convention) -> Re
 
 #[track_caller]
 pub(crate) fn compose(p: &str, q: &str, vector: &str, convention: Convention) -> ComposeReport {
-    let request = Request::Compose(ComposeRequest {
-        p: p.into(),
-        q: q.into(),
-        vector: vector.into(),
-        convention,
-        matrix: MatrixConvention::BODY_TO_WORLD,
-    });
+    let request = Request::Compose(ComposeRequest::new(p, q, vector, convention));
     match analyze(&request) {
         Outcome::Compose(report) => *report,
         other => panic!("{p:?} and {q:?} have no report: {other:?}"),
     }
+}
+
+/// No description but a quaternion's depends on the declared order.
+#[track_caller]
+pub(crate) fn rotation(text: &str) -> ParsedRotation {
+    let [first, last] = ComponentOrder::ALL.map(|declared| {
+        parse_rotation(text, Field::Quaternion, declared)
+            .unwrap_or_else(|problem| panic!("{text}\n{}", problem.render(text)))
+    });
+    assert_eq!(first, last, "{text}");
+    first
 }
 
 pub(crate) fn problems(outcome: Outcome) -> Vec<Problem> {

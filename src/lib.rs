@@ -89,6 +89,20 @@ mod scaling;
 // Two quaternions together.
 mod compose;
 
+// What the literature prints, in numbers.
+
+// The two sides of a statement.
+mod errata_witness;
+
+// Those of the statements, document by document.
+mod errata_cheng;
+mod errata_field_guide;
+mod errata_lecture;
+mod errata_yoosefian;
+
+/// Errata of the literature.
+pub mod errata;
+
 // The whole road.
 
 /// A request in, an outcome out.
@@ -102,6 +116,7 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
+pub use errata::{Document, Erratum, Witness, errata};
 pub use euler::{EulerAngles, GimbalLock};
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use nearest_rotation::{NearestRotation, NoNearestRotation};

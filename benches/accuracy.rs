@@ -3,6 +3,8 @@
 //! In units of u = 2^-53, against references of 50 digits; the cases, the measures and the bounds are
 //! those of the test. NaN and panics are counted, and are not an error in u.
 
+#![allow(clippy::print_stdout, reason = "it is a report")]
+
 #[path = "../tests/common/accuracy.rs"]
 mod accuracy;
 

@@ -95,6 +95,26 @@ pub mod euler_rates;
 /// Poses between named frames.
 pub mod pose;
 
+// What the literature prints, in numbers.
+
+// The two sides of a statement.
+mod errata_witness;
+
+// Those of Cheng 2018.
+mod errata_cheng;
+
+// Those of the field guide.
+mod errata_field_guide;
+
+// Those of the lecture.
+mod errata_lecture;
+
+// Those of Yoosefian 2021.
+mod errata_yoosefian;
+
+/// Errata of the literature.
+pub mod errata;
+
 // What is asked and answered.
 
 /// One attitude in the report.
@@ -195,6 +215,7 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
+pub use errata::{Document, Erratum, Witness, errata};
 pub use euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};

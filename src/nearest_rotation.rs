@@ -3,8 +3,8 @@
 //! `R(q)` is nearest to `M` where `qᵀ K q` is largest, `K` being Davenport's symmetric 4×4 matrix of
 //! `M` (Davenport's q-method; Bar-Itzhack 2000 for matrices). Its eigenvector gives a quaternion to a
 //! few digits less than a double has, and loses the small components; two Newton steps with residuals
-//! of 106 bits give all of them. nalgebra's `UnitQuaternion::from_matrix` iterates to a rounded
-//! rotation and stops at the identity for `diag(-1, 1, -1)`.
+//! of 106 bits give all of them. nalgebra's `UnitQuaternion::from_matrix` iterates from the
+//! identity: for some half turns it stays there, and for entries of 1e100 it never ends.
 
 use crate::rotation::Rotation;
 use crate::scaling;

@@ -43,7 +43,7 @@ fn half_a_turn_about_an_oblique_axis_is_read_from_its_matrix() {
     let theirs = UnitQuaternion::from_matrix(&half_turn);
     assert_eq!(theirs, UnitQuaternion::identity());
     let turned = nearest(half_turn).body_to_world_matrix();
-    assert!((turned - half_turn).amax() < 4e-16);
+    assert!((turned - half_turn).amax() < 1e-15);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

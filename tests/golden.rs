@@ -88,6 +88,9 @@ fn g11_a_quaternion_that_is_not_of_norm_1() {
     let case = Case::find("G11");
     let attitude = rotation(case.input("q"));
     case.check("R", &row_major(&attitude.body_to_world_matrix()));
+    // Yoosefian's eq. 2 is the square of the norm times the rotation.
+    let scaled = attitude.body_to_world_matrix() * 30.0;
+    case.check("M", &row_major(&scaled));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

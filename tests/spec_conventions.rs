@@ -105,7 +105,7 @@ fn passive_changes_coordinates_and_active_moves_the_vector() {
     }
 }
 
-/// The quaternion with the label q_X^Y for an active or passive convention, where the turn v carries X
+/// The quaternion with the label `q_X^Y` for an active or passive convention, where the turn v carries X
 /// onto Y; from the definition alone.
 fn labelled(convention: Convention, v: &Vector3<f64>) -> Quaternion<f64> {
     // Passive X→Y changes coordinates from X to Y: Exp(−v). Active moves X onto Y: Exp(v).
@@ -119,7 +119,7 @@ fn labelled(convention: Convention, v: &Vector3<f64>) -> Quaternion<f64> {
     }
 }
 
-/// MODEL-05, 000-2.23, 000-2.25, 004-Q.16a, 004-Q.16b, 004-Q.16c: of labels q_A^C.
+/// MODEL-05, 000-2.23, 000-2.25, 004-Q.16a, 004-Q.16b, 004-Q.16c: of labels `q_A^C`.
 #[wasm_bindgen_test(unsupported = test)]
 fn labelled_quaternions_compose_in_the_order_of_their_function() {
     for (first, second) in pairs(turns()) {
@@ -229,7 +229,7 @@ fn conversion_conjugates_where_the_signs_differ_and_reorders_where_the_orders_do
 }
 
 /// MODEL-11, 000-2.20, 000-2.21, 000-2.22, 000-T1, 000-T2.1, 000-T2.2, 000-S2.5.2c, 000-S2.5.2r,
-/// 000-2.38, 000-2.39: q_b^a of Cheng, with b the world and a the body, has one set of components in
+/// 000-2.38, 000-2.39: `q_b^a` of Cheng, with b the world and a the body, has one set of components in
 /// both products.
 #[wasm_bindgen_test(unsupported = test)]
 fn q_b_a_of_cheng_is_right_active_and_left_passive_from_world_to_body() {

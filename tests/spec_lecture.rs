@@ -159,7 +159,7 @@ fn half_turns_keep_their_axis_from_matrix_to_vector() {
     }
 }
 
-/// 003-S5.2.14 and 003-S5.2.1: matrices and quaternions of the same axis and angle move points alike.
+/// 003-S5.2.14: matrices and quaternions of the same axis and angle move points alike.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_random_test_of_the_listing_on_a_grid() {
     for direction in turns() {

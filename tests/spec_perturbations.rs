@@ -50,7 +50,7 @@ fn is_right(tau: f64, axes: Perturbation) -> bool {
     (tau > 0.0) == (axes == Perturbation::Local)
 }
 
-/// MODEL-06, FX-24, 004-I.P, and the columns ⊕ and ⊖ of tables 2.2 and 2.4
+/// MODEL-06, FX-24, and the columns ⊕ and ⊖ of tables 2.2 and 2.4
 #[wasm_bindgen_test(unsupported = test)]
 fn a_physical_increment_of_a_quaternion_turns_the_body() {
     for (v, convention) in turns().flat_map(|v| {
@@ -99,7 +99,7 @@ fn a_physical_increment_of_a_quaternion_turns_the_body() {
     }
 }
 
-/// MODEL-07 for quaternions: θ_formal = σδ, and with it the sign-free products.
+/// MODEL-07 for quaternions: `θ_formal = σδ`, and with it the sign-free products.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_formal_increment_of_a_quaternion_is_the_physical_one_times_sigma() {
     for (v, convention) in turns().flat_map(|v| {
@@ -129,7 +129,7 @@ fn a_formal_increment_of_a_quaternion_is_the_physical_one_times_sigma() {
     }
 }
 
-/// FX-05, MODEL-06 and MODEL-07 for matrices, 004-RM.17, 004-RM.18, 004-RM.19 and table 2.3
+/// FX-05, MODEL-06 and MODEL-07 for matrices, 004-I.P, 004-RM.17, 004-RM.18, 004-RM.19 and table 2.3
 #[wasm_bindgen_test(unsupported = test)]
 fn increments_of_a_matrix_turn_the_body_or_stand_as_they_are() {
     for (v, convention) in turns().flat_map(|v| MatrixConvention::all().map(move |c| (v, c))) {
@@ -181,7 +181,7 @@ fn increments_of_a_matrix_turn_the_body_or_stand_as_they_are() {
     }
 }
 
-/// 000-2.27, 000-2.28, 000-2.40, 000-2.41, 000-2.41n: the local error is q_î^i, on the right of ⊙ and
+/// 000-2.27, 000-2.28, 000-2.40, 000-2.41, 000-2.41n: the local error is `q_î^i`, on the right of ⊙ and
 /// on the left of ⊗; the inverse, as printed, does not lead from the estimate to the truth.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_error_quaternion_leads_from_the_estimate_to_the_truth() {

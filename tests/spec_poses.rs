@@ -45,7 +45,7 @@ fn matrix(pose: &Pose) -> Matrix3<f64> {
     pose.rotation.body_to_world_matrix()
 }
 
-/// 002-S2.a, 002-S2.b, 003-S2.b: ᴵv = ᴵR_C ᶜv, and with the origin for points.
+/// 002-S2.a, 002-S2.b, 003-S2.b: `ᴵv = ᴵR_C ᶜv`, and with the origin for points.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_pose_leads_points_of_the_child_to_the_parent() {
     let Given { r, p, pose } = camera("I", "C");

@@ -237,7 +237,7 @@ fn two_quaternions_are_one_attitude() {
     }
 }
 
-/// 000-2.13, 000-2.14, 000-2.15, 000-S2.4.o, 000-2.19, 003-S4.2.e, 003-S5.2.11: the double product of
+/// 000-2.13, 000-2.14, 000-2.15, 000-S2.4.o, 003-S4.2.e, 003-S5.2.11: the double product of
 /// the same numbers in the other hand is the opposite turn.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_double_product_turns_a_vector() {
@@ -262,6 +262,14 @@ fn the_double_product_turns_a_vector() {
         let square = q.coords.norm_squared();
         let expected = attitude(q).world_to_body(x) * square;
         assert_same("|q|² C x", &vector_part(&double), &expected, CLOSE);
+        let double = hamilton(&hamilton(&q, &pure(&x)), &conjugate(&q));
+        let expected = attitude(q).body_to_world(x) * square;
+        assert_same("|q|² R x", &vector_part(&double), &expected, CLOSE);
+        // Eq. 2.15 with the inverse and its conjugate: of norm 1 alone.
+        let undone = inverse(&q);
+        let double = hamilton(&hamilton(&undone, &pure(&x)), &conjugate(&undone));
+        let expected = attitude(q).world_to_body(x) / square;
+        assert_same("C x/|q|²", &vector_part(&double), &expected, 1e-12);
     }
 }
 
@@ -312,9 +320,9 @@ fn the_cosine_matrices_in_vectors_and_in_elements() {
         assert_same("C_H", &c_h, &((any_norm + skew) / square), CLOSE);
         assert_same("C_S", &c_s, &((any_norm - skew) / square), CLOSE);
     }
-    for q in unit_quaternions() {
+    let elements = |q: &Quaternion<f64>| {
         let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-        let elements = Matrix3::new(
+        Matrix3::new(
             1.0 - 2.0 * (y * y + z * z),
             2.0 * (x * y - w * z),
             2.0 * (x * z + w * y),
@@ -324,36 +332,36 @@ fn the_cosine_matrices_in_vectors_and_in_elements() {
             2.0 * (x * z - w * y),
             2.0 * (y * z + w * x),
             1.0 - 2.0 * (x * x + y * y),
+        )
+    };
+    for q in unit_quaternions() {
+        let (c_h, c_s) = (
+            attitude(q).body_to_world_matrix(),
+            attitude(q).world_to_body_matrix(),
         );
-        let c_h = attitude(q).body_to_world_matrix();
-        assert_same("elements", &c_h, &elements, CLOSE);
-        assert_same(
-            "elements of C_S",
-            &attitude(q).world_to_body_matrix(),
-            &elements.transpose(),
-            CLOSE,
-        );
-        let printed = c_h - Matrix3::from_diagonal_element(w * w);
+        assert_same("elements of C_H", &c_h, &elements(&q), CLOSE);
+        assert_same("elements of C_S", &c_s, &elements(&q).transpose(), CLOSE);
+        let printed = c_h - Matrix3::from_diagonal_element(q.w * q.w);
         assert!((printed.determinant() - 1.0).abs() > 0.01, "no rotation");
     }
     let long = Quaternion::new(1.0, 2.0, 3.0, 4.0);
-    let elements_of_norm_1 = Matrix3::from_diagonal_element(1.0) * 30.0;
-    let of_long = attitude(long).body_to_world_matrix() * 30.0;
-    assert_off("unit only", &elements_of_norm_1, &of_long);
+    let right = attitude(long).body_to_world_matrix();
+    assert_off("the elements of norm √30", &elements(&long), &right);
 }
 
-/// 003-S4.3.a
+/// 003-S4.3.a, 000-2.19
 #[wasm_bindgen_test(unsupported = test)]
 fn products_of_quaternions_compose_without_matrices() {
     for (p, q) in pairs(turns()) {
+        for x in vectors() {
+            // Eq. 2.19: of the quaternion of an axis and angle, the turn by these.
+            let image = attitude(half_angle(&p)).body_to_world(x);
+            assert_same("R(u, φ) x", &image, &(exponential_matrix(&p) * x), CLOSE);
+        }
         let product = hamilton_product(&half_angle(&p), &half_angle(&q));
         let expected = exponential_matrix(&p) * exponential_matrix(&q);
-        assert_same(
-            "R(PQ)",
-            &attitude(product).body_to_world_matrix(),
-            &expected,
-            CLOSE,
-        );
+        let got = attitude(product).body_to_world_matrix();
+        assert_same("R(PQ)", &got, &expected, CLOSE);
     }
 }
 

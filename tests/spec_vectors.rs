@@ -179,7 +179,7 @@ fn the_quaternion_of_a_rotation_vector_in_each_convention() {
     }
 }
 
-/// FX-22: θu = σ 2 atan2(n, w)/n q_v with w ≥ 0, near 0 too.
+/// FX-22: `θu = σ 2 atan2(n, w)/n q_v` with w ≥ 0, near 0 too.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_rotation_vector_of_a_quaternion_in_each_convention() {
     let tiny = [1e-5, 1e-9, 1e-150].map(|size| Vector3::new(0.6, 0.0, -0.8) * size);
@@ -249,7 +249,7 @@ fn the_inverse_turn_has_the_opposite_vector() {
     }
 }
 
-/// FX-18: ω_B = J_r v̇ and ω_W = J_l v̇, by differences, and their inverses; NUM-01: at all angles.
+/// FX-18: `ω_B = J_r v̇` and `ω_W = J_l v̇`, by differences, and their inverses; NUM-01: at all angles.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_jacobians_of_the_exponential() {
     let change = Vector3::new(0.3, -0.2, 0.5);

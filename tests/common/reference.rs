@@ -126,12 +126,11 @@ pub(crate) fn product(
     p: &Quaternion<f64>,
     q: &Quaternion<f64>,
 ) -> Quaternion<f64> {
-    let (p, q) = ([p.w, p.i, p.j, p.k], [q.w, q.i, q.j, q.k]);
     let mut sum = [0.0; 4];
-    for a in 0..4 {
-        for b in 0..4 {
+    for (a, left) in [p.w, p.i, p.j, p.k].into_iter().enumerate() {
+        for (b, right) in [q.w, q.i, q.j, q.k].into_iter().enumerate() {
             let (sign, place) = basis_product(hand, a, b);
-            sum[place] += sign * p[a] * q[b];
+            sum[place] += sign * left * right;
         }
     }
     Quaternion::new(sum[0], sum[1], sum[2], sum[3])

@@ -58,11 +58,18 @@ impl NearestRotation {
         if !matrix.iter().all(|entry| entry.is_finite()) {
             return Err(NoNearestRotation::NotFinite);
         }
-        // First, since a mirror image of an axis has two rotations that are equally near.
-        if unit_size(matrix).determinant() < 0.0 {
+        let determinant = unit_size(matrix).determinant();
+        let Some(rotation) = nearest(matrix) else {
+            // A mirror image of a rotation is as near to a whole circle of rotations.
+            return Err(if determinant < -SMALLEST_GAP {
+                NoNearestRotation::Reflection
+            } else {
+                NoNearestRotation::Singular
+            });
+        };
+        if determinant < 0.0 {
             return Err(NoNearestRotation::Reflection);
         }
-        let rotation = nearest(matrix).ok_or(NoNearestRotation::Singular)?;
         let difference = matrix - rotation.body_to_world_matrix();
         Ok(Self {
             rotation,

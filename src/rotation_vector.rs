@@ -17,10 +17,15 @@
 use crate::rotation::{NoRotation, Rotation};
 use crate::scaling::Norm;
 use nalgebra::{Matrix3, Quaternion, Vector3};
+use std::f64::consts::PI;
 
 /// Below this angle the coefficients of the Jacobians are taken from their power series; above it
 /// the closed forms lose at most three digits to cancellation (specification, NUM-01).
 const SERIES_BELOW_RAD: f64 = 0.5;
+
+/// Nearer to a whole turn than this, in radians, half of the digits of an inverse Jacobian depend on
+/// the last digits of the vector (√u, with u = 2^-53), so there is none.
+const WHOLE_TURN_RAD: f64 = 1e-8;
 
 /// A vector along the axis whose length tells the angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,11 +202,15 @@ pub fn left_jacobian(vector_rad: &Vector3<f64>) -> Matrix3<f64> {
 /// The inverse of the right Jacobian: the rate of the vector from the body rate,
 /// `v̇ = J_r⁻¹ ω_B`.
 ///
-/// `I + K/2 + (1 − (θ/2) cot(θ/2))/θ² K²` (specification, FX-18). `None` at 2π and its multiples,
-/// where the Jacobian has no inverse, and for a vector whose length is not finite.
+/// `I + K/2 + (1 − (θ/2) cot(θ/2))/θ² K²` (specification, FX-18). `None` within 1e-8 of 2π and its
+/// multiples, where the Jacobian has no inverse, and for a vector whose length is not finite.
 #[must_use]
 pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>> {
     let angle = Norm::of(vector_rad.as_slice()).value();
+    let half_sine = libm::sin(angle / 2.0).abs();
+    if angle > PI && half_sine <= WHOLE_TURN_RAD / 2.0 {
+        return None;
+    }
     let k = vector_rad.cross_matrix();
     let inverse = Matrix3::identity() + k * 0.5 + k * k * cotangent_coefficient(angle);
     let is_finite = inverse.iter().all(|entry| entry.is_finite());

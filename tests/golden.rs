@@ -1,110 +1,22 @@
 //! Golden cases: numbers that were not made by quatlas (see `vectors/README.md`).
 
 mod common;
+#[path = "common/golden.rs"]
+mod golden;
 
 use common::{assert_close, row_major, wasm_bindgen_test, wxyz};
+use golden::{Case, exponential, hamilton, rotation};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
-    ComponentOrder, Convention, Direction, Function, Handedness, Perturbation, Rotation,
-    TaggedQuaternion, hamilton_product, jpl_product,
+    ComponentOrder, Convention, Direction, Handedness, TaggedQuaternion, hamilton_product,
+    jpl_product,
 };
-use serde_json::Value;
 
-/// One case, with its own tolerance.
-struct Case {
-    id: String,
-    value: Value,
-    tolerance: f64,
-}
-
-impl Case {
-    fn all() -> Vec<Self> {
-        let file: Value = serde_json::from_str(include_str!("vectors/golden.json")).expect("JSON");
-        let cases = file["cases"].as_array().expect("a list of cases");
-        cases
-            .iter()
-            .map(|value| Self {
-                id: value["id"].as_str().expect("an id").to_owned(),
-                value: value.clone(),
-                tolerance: value["tol"].as_f64().expect("a tolerance"),
-            })
-            .collect()
-    }
-
-    #[track_caller]
-    fn find(id: &str) -> Self {
-        Self::all()
-            .into_iter()
-            .find(|case| case.id == id)
-            .unwrap_or_else(|| panic!("{id} is not in golden.json"))
-    }
-
-    /// The numbers of an input or output, a matrix row by row.
-    #[track_caller]
-    fn numbers(&self, part: &str, name: &str) -> Vec<f64> {
-        fn flatten(value: &Value) -> Vec<f64> {
-            match value {
-                Value::Array(members) => members.iter().flat_map(flatten).collect(),
-                number => vec![number.as_f64().expect("a number")],
-            }
-        }
-        flatten(&self.value[part][name])
-    }
-
-    #[track_caller]
-    fn input<const COUNT: usize>(&self, name: &str) -> [f64; COUNT] {
-        self.numbers("input", name)
-            .try_into()
-            .expect("as many numbers")
-    }
-
-    #[track_caller]
-    fn check(&self, name: &str, got: &[f64]) {
-        let expected = self.numbers("output", name);
-        assert_close(
-            &format!("{} {name}", self.id),
-            got,
-            &expected,
-            self.tolerance,
-        );
-    }
-
-    fn convention(&self) -> Convention {
-        let axis = |name: &str| {
-            self.value["convention"][name]
-                .as_str()
-                .expect("a name")
-                .to_owned()
-        };
-        Convention {
-            order: ComponentOrder::ScalarFirst,
-            handedness: match axis("handedness").as_str() {
-                "Right" => Handedness::Right,
-                _ => Handedness::Left,
-            },
-            function: match axis("function").as_str() {
-                "Passive" => Function::Passive,
-                _ => Function::Active,
-            },
-            direction: match axis("direction").as_str() {
-                "B2W" => Direction::BodyToWorld,
-                _ => Direction::WorldToBody,
-            },
-            perturbation: Perturbation::Local,
-        }
-    }
-}
-
-fn exponential(vector: [f64; 3]) -> Rotation {
-    Rotation::from_rotation_vector_rad(vector).expect("finite")
-}
-
-fn hamilton([w, x, y, z]: [f64; 4]) -> TaggedQuaternion {
-    TaggedQuaternion::new(w, x, y, z, Convention::HAMILTON)
-}
-
-fn rotation(array: [f64; 4]) -> Rotation {
-    Rotation::from_tagged(&hamilton(array)).expect("not zero")
+#[wasm_bindgen_test(unsupported = test)]
+fn all_34_cases_are_there_once_and_in_order() {
+    let ids: Vec<String> = Case::all().into_iter().map(|case| case.id).collect();
+    let expected: Vec<String> = (1..=34).map(|number| format!("G{number:02}")).collect();
+    assert_eq!(ids, expected);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -176,6 +88,9 @@ fn g11_a_quaternion_that_is_not_of_norm_1() {
     let case = Case::find("G11");
     let attitude = rotation(case.input("q"));
     case.check("R", &row_major(&attitude.body_to_world_matrix()));
+    // Yoosefian's eq. 2 is the square of the norm times the rotation.
+    let scaled = attitude.body_to_world_matrix() * 30.0;
+    case.check("M", &row_major(&scaled));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

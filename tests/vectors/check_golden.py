@@ -1,7 +1,8 @@
 """Recomputes the golden cases with 60 digits, from definitions alone, and compares.
 
 Nothing here uses a formula of quatlas: a turn is the exponential of a matrix, a product is the
-multiplication table of i, j, k, and a quaternion turns a vector by q x q^-1.
+multiplication table of i, j, k, a quaternion turns a vector by q x q^-1, and a rate is a derivative
+(of numbers with 60 digits).
 
     pip install mpmath && python3 tests/vectors/check_golden.py
 """
@@ -84,11 +85,47 @@ compared = 0
 
 
 def check(case, name, got):
+    agree(case, name, got, case["output"][name])
+
+
+def agree(case, name, got, expected):
     global compared
-    for value, wanted in zip(flat(got), flat(case["output"][name]), strict=True):
+    for value, wanted in zip(flat(got), flat(expected), strict=True):
         allowed = max(mp.mpf(case["tol"]), mp.mpf(2) ** -53) * max(1, abs(wanted))
         assert abs(value - wanted) <= allowed, (case["id"], name, value, wanted)
         compared += 1
+
+
+def elementary(axis, angle):
+    """The right-handed turn about the axis 1, 2 or 3, as a rotation vector."""
+    return [angle if place == axis - 1 else mp.mpf(0) for place in range(3)]
+
+
+def product_of(factors, times):
+    first, *others = factors
+    for factor in others:
+        first = times(first, factor)
+    return first
+
+
+def skew(v):
+    x, y, z = v
+    return mp.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def vector_of(skew_matrix):
+    return [skew_matrix[2, 1], skew_matrix[0, 2], skew_matrix[1, 0]]
+
+
+def slope(function, count):
+    """The derivative at time 0 of a function with `count` numbers."""
+    return [mp.diff(lambda time, place=place: function(time)[place], 0) for place in range(count)]
+
+
+def logarithm(matrix):
+    """The rotation vector of a turn that is neither 0 nor half a turn: angle by the trace."""
+    angle = mp.acos((matrix[0, 0] + matrix[1, 1] + matrix[2, 2] - 1) / 2)
+    return [c * angle / mp.sin(angle) for c in vector_of((matrix - matrix.T) / 2)]
 
 
 def left_matrix(q, product, order):
@@ -96,6 +133,116 @@ def left_matrix(q, product, order):
     basis = {"first": [0, 1, 2, 3], "last": [1, 2, 3, 0]}[order]
     images = [product(q, [mp.mpf(i == place) for i in range(4)]) for place in basis]
     return [[image[place] for image in images] for place in basis]
+
+
+def motion(case, is_canonical):
+    """Increments and rates: what turns is the body, whatever the convention."""
+    given = case["input"]
+    attitude, delta, rate = (numbers(given[name]) for name in ("v_WB", "delta", "omega_B"))
+    to_convention = (lambda q: q) if is_canonical else conjugate
+    after = {
+        "q_plus_local": (exponential_matrix(attitude) * exponential_matrix(delta), (attitude, delta)),
+        "q_plus_global": (exponential_matrix(delta) * exponential_matrix(attitude), (delta, attitude)),
+    }
+    for name, (matrix, turns) in after.items():
+        q = product_of([half_exponential(v) for v in turns], hamilton)
+        agree(case, name + " as a matrix", matrix_of(q, hamilton), matrix)
+        check(case, name, to_convention(q))
+    check(case, "omega_W", exponential_matrix(attitude) * mp.matrix(rate))
+    turning = lambda time: hamilton(half_exponential(attitude), half_exponential([c * time for c in rate]))
+    check(case, "q_dot", to_convention(slope(turning, 4)))
+
+
+def matrices(cases):
+    for n in range(12, 16):
+        case = cases[f"G{n}"]
+        for name, product in (("right_same", hamilton), ("left_same", jpl)):
+            q = numbers(case["output"][name])
+            agree(case, name + " as a matrix", matrix_of(q, product), case["input"]["M"])
+
+    for n in range(20, 23):
+        case = cases[f"G{n}"]
+        turns = [elementary(*turn) for turn in zip(case["input"]["seq"], numbers(case["input"]["angles"]))]
+        for name, order in (("successive", turns), ("fixed", turns[::-1])):
+            check(case, "R_" + name, product_of([exponential_matrix(v) for v in order], mp.matrix.__mul__))
+            check(case, "q_" + name, product_of([half_exponential(v) for v in order], hamilton))
+
+    case = cases["G23"]
+    yaw, pitch, roll = numbers(case["output"]["angles"])
+    turns = [elementary(3, yaw), elementary(2, pitch), elementary(1, roll)]
+    matrix = product_of([exponential_matrix(v) for v in turns], mp.matrix.__mul__)
+    check(case, "R", matrix)
+    agree(case, "M", matrix, case["input"]["M"])
+    agree(case, "pitch and roll", [pitch, roll], [mp.pi / 2, 0])
+
+    case = cases["G33"]
+    attitude = exponential_matrix(numbers(case["input"]["v_WB"]))
+    turn = exponential_matrix(numbers(case["input"]["delta"]))
+    for name, after in (("local", attitude * turn), ("global", turn * attitude)):
+        check(case, "R_WB_" + name, after)
+        check(case, "R_BW_" + name, after.T)
+
+
+def vectors(cases):
+    case = cases["G24"]
+    angles, rates = numbers(case["input"]["angles"]), numbers(case["input"]["rates"])
+
+    def attitude(time):
+        turns = [elementary(axis, a + rate * time) for axis, a, rate in zip((3, 2, 1), angles, rates)]
+        return product_of([exponential_matrix(v) for v in turns], mp.matrix.__mul__)
+
+    rows = slope(lambda time: flat(attitude(time)), 9)
+    derivative = mp.matrix([rows[0:3], rows[3:6], rows[6:9]])
+    check(case, "omega_B", vector_of(attitude(0).T * derivative))
+    check(case, "omega_W", vector_of(derivative * attitude(0).T))
+
+    case = cases["G25"]
+    a, b = (exponential_matrix(numbers(case["input"][name])) for name in ("a", "b"))
+    check(case, "R", a * b)
+    check(case, "v", logarithm(a * b))
+
+    # The mean of Exp(-s v) over s from 0 to 1: a block of the exponential of a larger matrix.
+    case = cases["G26"]
+    large = mp.zeros(6)
+    large[0:3, 0:3] = -skew(numbers(case["input"]["v"]))
+    large[0:3, 3:6] = mp.eye(3)
+    jacobian = mp.expm(large, method="taylor")[0:3, 3:6]
+    check(case, "Jr", jacobian)
+    check(case, "Jr_inv", mp.inverse(jacobian))
+    check(case, "v_dot", mp.lu_solve(jacobian, mp.matrix(numbers(case["input"]["omega_B"]))))
+
+    case = cases["G27"]
+    vectors = [numbers(case["input"][name]) for name in ("a", "b")]
+    a, b = (exponential_matrix(v) for v in vectors)
+    p, q = (mp.matrix(half_exponential(v)) for v in vectors)
+    check(case, "geodesic", mp.norm(mp.matrix(logarithm(a.T * b))))
+    check(case, "chordal", mp.norm(mp.matrix(flat(a - b))))
+    check(case, "quaternion", mp.norm(p - q))
+    check(case, "quaternion_second_negated", mp.norm(p + q))
+    check(case, "quaternion_min", min(mp.norm(p - q), mp.norm(p + q)))
+
+    case = cases["G29"]
+    first, second, mounted = (exponential_matrix(numbers(case["input"]["v_" + name])) for name in ("GI1", "GI2", "IC"))
+    p_1, p_2, lever = (mp.matrix(numbers(case["input"]["p_" + name])) for name in ("GI1", "GI2", "IC"))
+    camera_1, camera_2 = first * mounted, second * mounted
+    moved = camera_1.T * (p_2 + second * lever - p_1 - first * lever)
+    check(case, "R_C2_C1", camera_2.T * camera_1)
+    check(case, "p_C1_C2", moved)
+    check(case, "p_GI2_corrected", p_2)
+    check(case, "p_GI2_as_printed", p_1 + first * lever + camera_1 * moved - camera_2 * lever)
+
+    case = cases["G31"]
+    q, rate = numbers(case["input"]["q_wxyz"]), [mp.mpf(0)] + numbers(case["input"]["omega"])
+    check(case, "OmegaH_q", hamilton(q, rate))
+    left = jpl(rate, q)
+    check(case, "OmegaJ_q_xyzw", left[1:] + left[:1])
+
+    # The commutator of two skew matrices is the skew matrix of the cross product.
+    case = cases["G34"]
+    h, a, b = mp.mpf(case["input"]["h"]), *(skew(numbers(case["input"][name])) for name in ("omega_a", "omega_b"))
+    theta = vector_of((a + b) * h / 2 + (a * b - b * a) * h**2 * mp.sqrt(3) / 12)
+    check(case, "theta", theta)
+    check(case, "q_step", half_exponential(theta))
 
 
 def main():
@@ -126,6 +273,7 @@ def main():
         candidates = [product(q_wb, q_bc), product(q_bc, q_wb)]
         [q_wc] = [q for q in candidates if mp.norm(mp.matrix(matrix_of(q, product)) - chain) < mp.mpf(10) ** -40]
         check(case, "q_WC_wxyz", q_wc)
+        motion(case, q_wb == half_exponential(numbers(given["v_WB"])))
 
     case = cases["G09"]
     p, q = numbers(case["input"]["p"]), numbers(case["input"]["q"])
@@ -142,6 +290,11 @@ def main():
 
     for name in ("G11", "G30"):
         check(cases[name], "R", matrix_of(numbers(cases[name]["input"]["q"]), hamilton))
+
+    # Without the division by the square of the norm: q x q*.
+    q = numbers(cases["G11"]["input"]["q"])
+    scaled = mp.matrix(matrix_of(q, hamilton)) * sum(c * c for c in q)
+    check(cases["G11"], "M", scaled)
 
     case = cases["G16"]
     axis = [mp.mpf(2) / 3, -mp.mpf(1) / 3, mp.mpf(2) / 3]
@@ -176,6 +329,9 @@ def main():
     check(case, "hamilton_W2B_wxyz", conjugate(q))
     check(case, "mylab_active_W2B_wxyz", q)
     check(case, "mylab_matrix_R_WtoB", mp.matrix(matrix_of(q, hamilton)).T)
+
+    matrices(cases)
+    vectors(cases)
     print(f"{compared} numbers agree")
 
 

@@ -1,0 +1,163 @@
+//! The specification on the rates of Euler angles: FX-10 and 004-EU.13 (see `spec.md`).
+
+mod common;
+#[path = "common/reference.rs"]
+mod reference;
+
+use common::{assert_close, wasm_bindgen_test};
+use quatlas::nalgebra::{Matrix3, Vector3};
+use quatlas::{EulerFrame, EulerSequence, RateAxes};
+use reference::{CLOSE, SLOPE, assert_order, assert_same, elementary, skew, slope, unskew};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const ANGLES: [[f64; 3]; 3] = [[0.7, 0.4, 1.1], [-2.1, 1.3, 0.2], [3.0, 0.9, -1.7]];
+const RATES: [f64; 3] = [0.2, -0.5, 0.9];
+
+/// `R_WB` by elementary turns.
+fn attitude(sequence: EulerSequence, angles: Vector3<f64>) -> Matrix3<f64> {
+    let axes = sequence.axes.axes();
+    let turn = |place: usize| elementary(axes[place].index(), angles[place]);
+    match sequence.frame {
+        EulerFrame::Intrinsic => turn(0) * turn(1) * turn(2),
+        EulerFrame::Extrinsic => turn(2) * turn(1) * turn(0),
+    }
+}
+
+/// The angular velocity of changing angles, by differences.
+fn velocity(sequence: EulerSequence, angles: Vector3<f64>, axes: RateAxes) -> Vector3<f64> {
+    let r = attitude(sequence, angles);
+    let derivative = slope(|time| attitude(sequence, angles + Vector3::from(RATES) * time));
+    match axes {
+        RateAxes::Body => unskew(&(r.transpose() * derivative)),
+        RateAxes::World => unskew(&(derivative * r.transpose())),
+    }
+}
+
+/// FX-10: for all 24, there and back, on both axes.
+#[wasm_bindgen_test(unsupported = test)]
+fn angle_rates_make_the_angular_velocity_and_back() {
+    for sequence in EulerSequence::all() {
+        for angles in ANGLES {
+            for axes in [RateAxes::Body, RateAxes::World] {
+                let what = format!("{sequence} {axes:?}");
+                let expected = velocity(sequence, angles.into(), axes);
+                let map = sequence.rate_matrix(angles, axes).expect("finite");
+                assert_same(&what, &(map * Vector3::from(RATES)), &expected, SLOPE);
+                let back = sequence.angle_rates(angles, expected.into(), axes);
+                assert_close(&what, &back.expect("not locked"), &RATES, 1e-9);
+            }
+        }
+    }
+}
+
+/// FX-10: the printed rows for 3-2-1, their inverses, and the determinant −cos θ.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_rates_of_yaw_pitch_and_roll_by_the_printed_formulas() {
+    let [d_psi, d_theta, d_phi] = RATES;
+    for angles in ANGLES {
+        let [psi, theta, phi] = angles;
+        let on_body = [
+            d_phi - d_psi * theta.sin(),
+            d_theta * phi.cos() + d_psi * theta.cos() * phi.sin(),
+            -d_theta * phi.sin() + d_psi * theta.cos() * phi.cos(),
+        ];
+        let on_world = [
+            d_phi * psi.cos() * theta.cos() - d_theta * psi.sin(),
+            d_phi * psi.sin() * theta.cos() + d_theta * psi.cos(),
+            d_psi - d_phi * theta.sin(),
+        ];
+        for (axes, expected) in [(RateAxes::Body, on_body), (RateAxes::World, on_world)] {
+            let map = EulerSequence::AEROSPACE
+                .rate_matrix(angles, axes)
+                .expect("finite");
+            let got = map * Vector3::from(RATES);
+            assert_close("ω", got.as_slice(), &expected, CLOSE);
+            assert_close("det", &[map.determinant()], &[-theta.cos()], CLOSE);
+        }
+        let [x, y, z] = on_body;
+        let k = y * phi.sin() + z * phi.cos();
+        let expected = [
+            k / theta.cos(),
+            y * phi.cos() - z * phi.sin(),
+            x + k * theta.tan(),
+        ];
+        let got = EulerSequence::AEROSPACE.angle_rates(angles, on_body, RateAxes::Body);
+        assert_close("of ω_B", &got.expect("not locked"), &expected, CLOSE);
+        let [x, y, z] = on_world;
+        let m = x * psi.cos() + y * psi.sin();
+        let expected = [
+            z + m * theta.tan(),
+            y * psi.cos() - x * psi.sin(),
+            m / theta.cos(),
+        ];
+        let got = EulerSequence::AEROSPACE.angle_rates(angles, on_world, RateAxes::World);
+        assert_close("of ω_W", &got.expect("not locked"), &expected, CLOSE);
+    }
+}
+
+/// 004-EU.13, FX-10: at the lock the map has rank 2 in every sequence, and the rates are refused.
+#[wasm_bindgen_test(unsupported = test)]
+fn at_the_lock_the_rates_are_refused() {
+    for sequence in EulerSequence::all() {
+        let locks = if sequence.is_proper() {
+            [0.0, PI]
+        } else {
+            [FRAC_PI_2, -FRAC_PI_2]
+        };
+        for middle in locks {
+            let angles = [0.9, middle, -0.3];
+            for axes in [RateAxes::Body, RateAxes::World] {
+                let map = sequence.rate_matrix(angles, axes).expect("finite");
+                assert_eq!(map.rank(1e-9), 2, "{sequence}");
+                let refused = sequence.angle_rates(angles, RATES, axes);
+                let singular = refused.expect_err("locked");
+                assert!(singular.determinant.abs() < 1e-15, "{sequence}");
+                let apart = [0.9, middle + 1e-6, -0.3];
+                assert!(
+                    sequence.angle_rates(apart, RATES, axes).is_ok(),
+                    "{sequence}"
+                );
+            }
+        }
+    }
+}
+
+/// FX-10: Runge-Kutta on the three angles has order 4.
+#[wasm_bindgen_test(unsupported = test)]
+fn angles_are_integrated_with_order_4() {
+    let rate = |time: f64| Vector3::new((1.7 * time).cos(), 0.6 * (2.3 * time).sin(), 0.5);
+    let start = Vector3::new(0.7, -0.4, 1.1);
+    let sequence = EulerSequence::AEROSPACE;
+    let integrate = |steps: u32| {
+        let h = 1.0 / f64::from(steps);
+        let derivative = |time: f64, angles: Vector3<f64>| {
+            let rates = sequence.angle_rates(angles.into(), rate(time).into(), RateAxes::Body);
+            Vector3::from(rates.expect("not locked"))
+        };
+        let mut angles = start;
+        for n in 0..steps {
+            let time = f64::from(n) * h;
+            let a = derivative(time, angles);
+            let b = derivative(time + h / 2.0, angles + a * (h / 2.0));
+            let c = derivative(time + h / 2.0, angles + b * (h / 2.0));
+            let d = derivative(time + h, angles + c * h);
+            angles += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+        }
+        attitude(sequence, angles)
+    };
+    // Fine steps on the nine entries.
+    let (fine, mut r) = (4000, attitude(sequence, start));
+    let h = 1.0 / f64::from(fine);
+    for n in 0..fine {
+        let time = f64::from(n) * h;
+        let derivative = |time: f64, r: Matrix3<f64>| r * skew(&rate(time));
+        let a = derivative(time, r);
+        let b = derivative(time + h / 2.0, r + a * (h / 2.0));
+        let c = derivative(time + h / 2.0, r + b * (h / 2.0));
+        let d = derivative(time + h, r + c * h);
+        r += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+    }
+    let error = |steps: u32| (integrate(steps) - r).norm();
+    assert!(error(32) < 1e-5, "it goes there");
+    assert_order("RK4", (error(32) / error(64)).log2(), 4.0);
+}

@@ -81,6 +81,20 @@ fn typed() -> impl Strategy<Value = String> {
         "np.array(",
         "−",
         "1.7e308",
+        " about ",
+        "axis-angle ",
+        "angle=",
+        "rotvec ",
+        "rpy ",
+        "ZYX ",
+        "xyz ",
+        "3-2-1 ",
+        "euler ",
+        "matrix ",
+        "rad",
+        " 1 0 0",
+        "AngleAxisd(",
+        "from_euler('zyx', ",
     ]);
     prop::collection::vec(pieces, 0..14).prop_map(|pieces| pieces.concat())
 }
@@ -178,6 +192,29 @@ fn any_four_finite_numbers_are_answered_in_plain_numbers() {
             check(&read_request(&p, &vector, convention), &[&p, &vector])?;
             let request = Request::Compose(ComposeRequest::new(&p, &q, &vector, convention));
             check(&request, &[&p, &q, &vector])
+        },
+    );
+}
+
+#[test]
+fn any_finite_numbers_of_any_description_are_answered_in_plain_numbers() {
+    let descriptions = prop::sample::select(vec![
+        ("axis-angle", 4),
+        ("rotvec", 3),
+        ("ZYX", 3),
+        ("zxz", 3),
+        ("rpy", 3),
+        ("matrix", 9),
+    ]);
+    for_all(
+        (descriptions, prop::array::uniform9(number())),
+        |((name, count), numbers)| {
+            let numbers: Vec<_> = numbers[..count].iter().map(|n| format!("{n:e}")).collect();
+            let text = format!("{name} {}", numbers.join(", "));
+            check(
+                &read_request(&text, "1 2 3", quatlas::Convention::JPL),
+                &[&text],
+            )
         },
     );
 }

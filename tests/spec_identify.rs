@@ -148,11 +148,16 @@ fn which_vector_along_the_axis_a_library_means_is_told_by_its_angle() {
         );
     }
     // The way back, for any turn: tan(θ/2) u and tan(θ/4) u.
-    for v in reference::turns() {
+    for (v, sign) in reference::turns().flat_map(|v| [(v, 1.0), (v, -1.0)]) {
         let (angle, axis) = (v.norm(), v.normalize());
-        let gibbs = attitude(v).gibbs_vector().expect("not half a turn");
+        let q = TaggedQuaternion {
+            components: reference::half_angle(&v) * sign,
+            convention: Convention::HAMILTON,
+        };
+        let turn = Rotation::from_tagged(&q).expect("not zero");
+        let gibbs = turn.gibbs_vector().expect("not half a turn");
         assert_same("Gibbs", &(gibbs / (angle / 2.0).tan()), &axis, 1e-12);
-        let modified = attitude(v).modified_rodrigues_parameters();
+        let modified = turn.modified_rodrigues_parameters();
         assert_same("MRP", &modified, &(axis * (angle / 4.0).tan()), CLOSE);
         for vector in [
             AxisVector::Gibbs(gibbs),

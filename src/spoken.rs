@@ -172,12 +172,14 @@ pub(crate) fn parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s
     let found: Vec<(usize, Part)> = at_depth_zero(tokens)
         .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
         .collect();
-    let &(first, _) = found.first()?;
+    let [(first, _), later @ ..] = &found[..] else {
+        return None;
+    };
     // A type may stand before the first name, as in `double roll = 0.1`.
-    if first > 1 || (first == 1 && !is_name(&tokens[0])) {
+    if *first > 1 || (*first == 1 && !is_name(&tokens[0])) {
         return None;
     }
-    let ends = found.iter().skip(1).map(|&(at, _)| at);
+    let ends = later.iter().map(|&(at, _)| at);
     let parts = found.iter().zip(ends.chain([tokens.len()]));
     Some(
         parts

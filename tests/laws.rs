@@ -2,10 +2,12 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;
+#[path = "common/property.rs"]
+mod property;
 
 use common::all_conventions;
+use property::for_all;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
 use quatlas::{
     Convention, EulerFrame, EulerSequence, IncrementSign, MatrixConvention, Perturbation, RateAxes,
@@ -16,19 +18,6 @@ const CASES: u32 = 500;
 
 /// A few dozen roundings, in radians or as entries of matrices.
 const CLOSE: f64 = 1e-14;
-
-#[track_caller]
-fn for_all<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[11; 32]);
-    let config = Config {
-        cases: CASES,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    if let Err(failure) = TestRunner::new_with_rng(config, rng).run(&strategy, test) {
-        panic!("{failure}");
-    }
-}
 
 /// Quaternions of any direction, neither tiny nor huge.
 fn numbers() -> impl Strategy<Value = Quaternion<f64>> {
@@ -74,7 +63,7 @@ fn is_near(one: f64, other: f64) -> Result<(), TestCaseError> {
 
 #[test]
 fn attitudes_are_a_group_and_their_matrices_too() {
-    for_all((rotation(), rotation(), rotation()), |(a, b, c)| {
+    for_all(CASES, (rotation(), rotation(), rotation()), |(a, b, c)| {
         is_same(&((a * b) * c), &(a * (b * c)))?;
         is_same(&(a * Rotation::identity()), &a)?;
         is_same(&(Rotation::identity() * a), &a)?;
@@ -89,7 +78,7 @@ fn attitudes_are_a_group_and_their_matrices_too() {
 
 #[test]
 fn q_and_its_opposite_are_one_attitude_in_every_convention() {
-    for_all((numbers(), 0.1..10.0_f64), |(q, size)| {
+    for_all(CASES, (numbers(), 0.1..10.0_f64), |(q, size)| {
         for convention in all_conventions() {
             let one = read(q, convention);
             let other = read(q * -size, convention);
@@ -103,7 +92,7 @@ fn q_and_its_opposite_are_one_attitude_in_every_convention() {
 
 #[test]
 fn the_operator_of_a_product_is_the_product_of_the_operators() {
-    for_all((numbers(), numbers()), |(p, q)| {
+    for_all(CASES, (numbers(), numbers()), |(p, q)| {
         for convention in all_conventions() {
             let of = |components| TaggedQuaternion {
                 components,
@@ -120,16 +109,20 @@ fn the_operator_of_a_product_is_the_product_of_the_operators() {
 
 #[test]
 fn distances_do_not_change_when_both_are_turned() {
-    for_all((rotation(), rotation(), rotation()), |(a, b, turn)| {
-        for (one, other) in [(turn * a, turn * b), (a * turn, b * turn)] {
-            is_near(one.angle_to_rad(&other), a.angle_to_rad(&b))?;
-            is_near(one.chordal_distance(&other), a.chordal_distance(&b))?;
-            let shorter = a.shorter_quaternion_distance(&b);
-            is_near(one.shorter_quaternion_distance(&other), shorter)?;
-            is_near(one.quaternion_distance(&other), a.quaternion_distance(&b))?;
-        }
-        Ok(())
-    });
+    for_all(
+        CASES,
+        (rotation(), rotation(), rotation()),
+        |(a, b, turn)| {
+            for (one, other) in [(turn * a, turn * b), (a * turn, b * turn)] {
+                is_near(one.angle_to_rad(&other), a.angle_to_rad(&b))?;
+                is_near(one.chordal_distance(&other), a.chordal_distance(&b))?;
+                let shorter = a.shorter_quaternion_distance(&b);
+                is_near(one.shorter_quaternion_distance(&other), shorter)?;
+                is_near(one.quaternion_distance(&other), a.quaternion_distance(&b))?;
+            }
+            Ok(())
+        },
+    );
 }
 
 #[test]
@@ -141,7 +134,7 @@ fn distances_are_symmetric_and_no_detour_is_shorter() {
         Rotation::quaternion_distance,
         Rotation::shorter_quaternion_distance,
     ];
-    for_all((rotation(), rotation(), rotation()), |(a, b, c)| {
+    for_all(CASES, (rotation(), rotation(), rotation()), |(a, b, c)| {
         for distance in distances {
             is_near(distance(&a, &b), distance(&b, &a))?;
             is_near(distance(&a, &a), 0.0)?;
@@ -155,6 +148,7 @@ fn distances_are_symmetric_and_no_detour_is_shorter() {
 #[test]
 fn slerp_turns_with_its_ends_and_divides_the_angle() {
     for_all(
+        CASES,
         (rotation(), rotation(), rotation(), 0.0..1.0_f64),
         |(a, b, turn, t)| {
             // At half a turn both ways are equally short.
@@ -172,57 +166,65 @@ fn slerp_turns_with_its_ends_and_divides_the_angle() {
 #[test]
 fn the_mean_turns_with_all_and_depends_on_no_order_or_sign() {
     let near = prop::array::uniform3(small_vector());
-    for_all((rotation(), near, rotation()), |(base, vectors, turn)| {
-        let all = vectors.map(|v| base.turned_by_rad(v, RateAxes::Body).expect("finite"));
-        let mean = Rotation::mean(&all).expect("near each other");
-        let turned = Rotation::mean(&all.map(|one| turn * one)).expect("near each other");
-        is_same(&turned, &(turn * mean))?;
-        let turned = Rotation::mean(&all.map(|one| one * turn)).expect("near each other");
-        is_same(&turned, &(mean * turn))?;
-        let [a, b, c] = all;
-        let opposite = read(
-            -b.to_tagged(Convention::HAMILTON).components,
-            Convention::HAMILTON,
-        );
-        is_same(&Rotation::mean(&[c, opposite, a]).expect("one"), &mean)?;
-        let to_mean = all.map(|one| mean.chordal_distance(&one).powi(2));
-        for v in vectors {
-            // No other attitude has a smaller sum of squares.
-            let other = mean.turned_by_rad(v, RateAxes::Body).expect("finite");
-            let to_other = all.map(|one| other.chordal_distance(&one).powi(2));
-            let (least, sum) = (to_mean.iter().sum::<f64>(), to_other.iter().sum::<f64>());
-            prop_assert!(least <= sum + CLOSE, "{least} and {sum}");
-        }
-        Ok(())
-    });
+    for_all(
+        CASES,
+        (rotation(), near, rotation()),
+        |(base, vectors, turn)| {
+            let all = vectors.map(|v| base.turned_by_rad(v, RateAxes::Body).expect("finite"));
+            let mean = Rotation::mean(&all).expect("near each other");
+            let turned = Rotation::mean(&all.map(|one| turn * one)).expect("near each other");
+            is_same(&turned, &(turn * mean))?;
+            let turned = Rotation::mean(&all.map(|one| one * turn)).expect("near each other");
+            is_same(&turned, &(mean * turn))?;
+            let [a, b, c] = all;
+            let opposite = read(
+                -b.to_tagged(Convention::HAMILTON).components,
+                Convention::HAMILTON,
+            );
+            is_same(&Rotation::mean(&[c, opposite, a]).expect("one"), &mean)?;
+            let to_mean = all.map(|one| mean.chordal_distance(&one).powi(2));
+            for v in vectors {
+                // No other attitude has a smaller sum of squares.
+                let other = mean.turned_by_rad(v, RateAxes::Body).expect("finite");
+                let to_other = all.map(|one| other.chordal_distance(&one).powi(2));
+                let (least, sum) = (to_mean.iter().sum::<f64>(), to_other.iter().sum::<f64>());
+                prop_assert!(least <= sum + CLOSE, "{least} and {sum}");
+            }
+            Ok(())
+        },
+    );
 }
 
 #[test]
 fn the_nearest_rotation_turns_with_the_matrix() {
     let noise = prop::array::uniform9(-0.2..0.2_f64);
-    for_all((rotation(), noise, rotation()), |(a, noise, turn)| {
-        let nearest = |entries| {
-            let matrix = TaggedMatrix {
-                entries,
-                convention: MatrixConvention::BODY_TO_WORLD,
+    for_all(
+        CASES,
+        (rotation(), noise, rotation()),
+        |(a, noise, turn)| {
+            let nearest = |entries| {
+                let matrix = TaggedMatrix {
+                    entries,
+                    convention: MatrixConvention::BODY_TO_WORLD,
+                };
+                Rotation::nearest_to_matrix(&matrix).expect("near a rotation")
             };
-            Rotation::nearest_to_matrix(&matrix).expect("near a rotation")
-        };
-        let noisy = matrix(&a) + Matrix3::from_row_slice(&noise);
-        let one = nearest(noisy);
-        let turned = nearest(matrix(&turn) * noisy);
-        is_same(&turned.rotation, &(turn * one.rotation))?;
-        is_near(turned.correction, one.correction)?;
-        let turned = nearest(noisy * matrix(&turn));
-        is_same(&turned.rotation, &(one.rotation * turn))?;
-        let transposed = nearest(noisy.transpose());
-        is_same(&transposed.rotation, &one.rotation.inverse())
-    });
+            let noisy = matrix(&a) + Matrix3::from_row_slice(&noise);
+            let one = nearest(noisy);
+            let turned = nearest(matrix(&turn) * noisy);
+            is_same(&turned.rotation, &(turn * one.rotation))?;
+            is_near(turned.correction, one.correction)?;
+            let turned = nearest(noisy * matrix(&turn));
+            is_same(&turned.rotation, &(one.rotation * turn))?;
+            let transposed = nearest(noisy.transpose());
+            is_same(&transposed.rotation, &one.rotation.inverse())
+        },
+    );
 }
 
 #[test]
 fn euler_angles_in_all_24_sequences_are_the_attitude() {
-    for_all(rotation(), |attitude| {
+    for_all(CASES, rotation(), |attitude| {
         for sequence in EulerSequence::all() {
             let angles = attitude.euler(sequence).angles_rad;
             let again = Rotation::from_euler_rad(sequence, angles).expect("finite");
@@ -244,36 +246,40 @@ fn euler_angles_in_all_24_sequences_are_the_attitude() {
 
 #[test]
 fn plus_and_minus_undo_each_other_for_quaternions_and_matrices() {
-    for_all((rotation(), rotation(), small_vector()), |(a, b, delta)| {
-        prop_assume!(a.angle_to_rad(&b) < 3.1);
-        for sign in [IncrementSign::Physical, IncrementSign::Formal] {
-            for convention in all_conventions() {
-                let (p, q) = (a.to_tagged(convention), b.to_tagged(convention));
-                let difference = q.minus(&p, sign).expect("not zero");
-                let there = p.plus(difference.into(), sign).expect("finite");
-                is_same(&Rotation::from_tagged(&there).expect("not zero"), &b)?;
-                let after = p.plus(delta, sign).expect("finite");
-                let back = after.minus(&p, sign).expect("not zero");
-                let error = (back - Vector3::from(delta)).amax();
-                prop_assert!(error <= CLOSE, "{convention}: {error:e}");
-            }
-            for convention in MatrixConvention::all() {
-                for axes in Perturbation::ALL {
-                    let (m, n) = (
-                        a.to_tagged_matrix(convention),
-                        b.to_tagged_matrix(convention),
-                    );
-                    let difference = n.minus(&m, axes, sign).expect("rotations");
-                    let there = m.plus(difference.into(), axes, sign).expect("finite");
-                    let error = (there.entries - n.entries).amax();
-                    prop_assert!(error <= CLOSE, "{convention} {axes}: {error:e}");
-                    let after = m.plus(delta, axes, sign).expect("finite");
-                    let back = after.minus(&m, axes, sign).expect("rotations");
+    for_all(
+        CASES,
+        (rotation(), rotation(), small_vector()),
+        |(a, b, delta)| {
+            prop_assume!(a.angle_to_rad(&b) < 3.1);
+            for sign in [IncrementSign::Physical, IncrementSign::Formal] {
+                for convention in all_conventions() {
+                    let (p, q) = (a.to_tagged(convention), b.to_tagged(convention));
+                    let difference = q.minus(&p, sign).expect("not zero");
+                    let there = p.plus(difference.into(), sign).expect("finite");
+                    is_same(&Rotation::from_tagged(&there).expect("not zero"), &b)?;
+                    let after = p.plus(delta, sign).expect("finite");
+                    let back = after.minus(&p, sign).expect("not zero");
                     let error = (back - Vector3::from(delta)).amax();
-                    prop_assert!(error <= CLOSE, "{convention} {axes}: {error:e}");
+                    prop_assert!(error <= CLOSE, "{convention}: {error:e}");
+                }
+                for convention in MatrixConvention::all() {
+                    for axes in Perturbation::ALL {
+                        let (m, n) = (
+                            a.to_tagged_matrix(convention),
+                            b.to_tagged_matrix(convention),
+                        );
+                        let difference = n.minus(&m, axes, sign).expect("rotations");
+                        let there = m.plus(difference.into(), axes, sign).expect("finite");
+                        let error = (there.entries - n.entries).amax();
+                        prop_assert!(error <= CLOSE, "{convention} {axes}: {error:e}");
+                        let after = m.plus(delta, axes, sign).expect("finite");
+                        let back = after.minus(&m, axes, sign).expect("rotations");
+                        let error = (back - Vector3::from(delta)).amax();
+                        prop_assert!(error <= CLOSE, "{convention} {axes}: {error:e}");
+                    }
                 }
             }
-        }
-        Ok(())
-    });
+            Ok(())
+        },
+    );
 }

@@ -2,27 +2,16 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 mod common;
+#[path = "common/property.rs"]
+mod property;
 
 use common::{all_conventions, read_request};
+use property::for_all;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use quatlas::{ComposeRequest, Outcome, Request, Rotation, TaggedQuaternion, analyze};
 use serde_json::Value;
 
 const CASES: u32 = 2000;
-
-#[track_caller]
-fn for_all<S: Strategy>(strategy: S, test: impl Fn(S::Value) -> Result<(), TestCaseError>) {
-    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
-    let config = Config {
-        cases: CASES,
-        failure_persistence: None,
-        ..Config::default()
-    };
-    if let Err(failure) = TestRunner::new_with_rng(config, rng).run(&strategy, test) {
-        panic!("{failure}");
-    }
-}
 
 /// Pieces of what people type, in any order: most of it is wrong, some of it is right.
 fn typed() -> impl Strategy<Value = String> {
@@ -134,7 +123,7 @@ fn check(request: &Request, texts: &[&str]) -> Result<(), TestCaseError> {
 
 #[test]
 fn whatever_is_typed_gives_plain_numbers_or_a_problem_with_a_place() {
-    for_all((typed(), typed()), |(quaternion, vector)| {
+    for_all(CASES, (typed(), typed()), |(quaternion, vector)| {
         for convention in [quatlas::Convention::HAMILTON, quatlas::Convention::JPL] {
             check(
                 &read_request(&quaternion, &vector, convention),
@@ -147,7 +136,7 @@ fn whatever_is_typed_gives_plain_numbers_or_a_problem_with_a_place() {
 
 #[test]
 fn any_unicode_text_is_answered() {
-    for_all(any::<String>(), |text| {
+    for_all(CASES, any::<String>(), |text| {
         check(
             &read_request(&text, &text, quatlas::Convention::HAMILTON),
             &[&text],
@@ -175,6 +164,7 @@ fn number() -> impl Strategy<Value = f64> {
 #[test]
 fn any_four_finite_numbers_are_answered_in_plain_numbers() {
     for_all(
+        CASES,
         (
             prop::array::uniform8(number()),
             prop::array::uniform3(number()),
@@ -207,6 +197,7 @@ fn any_finite_numbers_of_any_description_are_answered_in_plain_numbers() {
         ("matrix", 9),
     ]);
     for_all(
+        CASES,
         (descriptions, prop::array::uniform9(number())),
         |((name, count), numbers)| {
             let numbers: Vec<_> = numbers[..count].iter().map(|n| format!("{n:e}")).collect();
@@ -221,27 +212,31 @@ fn any_finite_numbers_of_any_description_are_answered_in_plain_numbers() {
 
 #[test]
 fn an_attitude_survives_every_convention() {
-    for_all(prop::array::uniform4(-1.0..1.0_f64), |[w, x, y, z]| {
-        // At half a turn the vector of q and that of −q are opposite, and both are right.
-        prop_assume!(w != 0.0 && w * w + x * x + y * y + z * z > 1e-4);
-        let canonical = TaggedQuaternion::new(w, x, y, z, quatlas::Convention::HAMILTON);
-        let attitude = Rotation::from_tagged(&canonical)
-            .map_err(|error| TestCaseError::fail(error.to_string()))?;
-        for convention in all_conventions() {
-            let tagged = attitude.to_tagged(convention);
-            let back = Rotation::from_tagged(&tagged)
+    for_all(
+        CASES,
+        prop::array::uniform4(-1.0..1.0_f64),
+        |[w, x, y, z]| {
+            // At half a turn the vector of q and that of −q are opposite, and both are right.
+            prop_assume!(w != 0.0 && w * w + x * x + y * y + z * z > 1e-4);
+            let canonical = TaggedQuaternion::new(w, x, y, z, quatlas::Convention::HAMILTON);
+            let attitude = Rotation::from_tagged(&canonical)
                 .map_err(|error| TestCaseError::fail(error.to_string()))?;
-            prop_assert_eq!(back, attitude, "{}", convention);
-            // −q is the same rotation.
-            let opposite = TaggedQuaternion {
-                components: -tagged.components,
-                convention,
-            };
-            let opposite = Rotation::from_tagged(&opposite)
-                .map_err(|error| TestCaseError::fail(error.to_string()))?;
-            prop_assert_eq!(opposite.body_to_world_matrix(), back.body_to_world_matrix());
-            prop_assert_eq!(opposite.rotation_vector_rad(), back.rotation_vector_rad());
-        }
-        Ok(())
-    });
+            for convention in all_conventions() {
+                let tagged = attitude.to_tagged(convention);
+                let back = Rotation::from_tagged(&tagged)
+                    .map_err(|error| TestCaseError::fail(error.to_string()))?;
+                prop_assert_eq!(back, attitude, "{}", convention);
+                // −q is the same rotation.
+                let opposite = TaggedQuaternion {
+                    components: -tagged.components,
+                    convention,
+                };
+                let opposite = Rotation::from_tagged(&opposite)
+                    .map_err(|error| TestCaseError::fail(error.to_string()))?;
+                prop_assert_eq!(opposite.body_to_world_matrix(), back.body_to_world_matrix());
+                prop_assert_eq!(opposite.rotation_vector_rad(), back.rotation_vector_rad());
+            }
+            Ok(())
+        },
+    );
 }

@@ -4,12 +4,11 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, assert_close, wasm_bindgen_test};
+use common::{all_conventions, assert_close, nearest, wasm_bindgen_test};
 use quatlas::euler::Survivor;
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
-    Convention, EulerFrame, EulerSequence, MatrixConvention, Rotation, TaggedMatrix,
-    TaggedQuaternion,
+    Convention, EulerFrame, EulerSequence, MatrixConvention, Rotation, TaggedQuaternion,
 };
 use reference::{
     CLOSE, assert_off, assert_same, assert_turn, elementary, exponential_matrix, half_angle,
@@ -49,16 +48,6 @@ fn product(sequence: EulerSequence, angles: [f64; 3]) -> Matrix3<f64> {
 
 fn attitude(sequence: EulerSequence, angles: [f64; 3]) -> Rotation {
     Rotation::from_euler_rad(sequence, angles).expect("finite")
-}
-
-fn read(entries: Matrix3<f64>, convention: MatrixConvention) -> Rotation {
-    let matrix = TaggedMatrix {
-        entries,
-        convention,
-    };
-    Rotation::nearest_to_matrix(&matrix)
-        .expect("a rotation")
-        .rotation
 }
 
 fn every() -> impl Iterator<Item = (EulerSequence, [f64; 3])> {
@@ -135,7 +124,7 @@ fn function_and_direction_change_the_matrix_and_not_the_angles() {
                 .to_tagged_matrix(convention)
                 .entries;
             assert_same(&format!("{sequence} {convention}"), &got, &expected, CLOSE);
-            let back = read(expected, convention).euler(sequence).angles_rad;
+            let back = nearest(expected, convention).euler(sequence).angles_rad;
             let angles = within_range(sequence, angles);
             assert_close(&format!("{sequence} {convention}"), &back, &angles, 1e-13);
         }
@@ -182,7 +171,7 @@ fn the_angles_of_a_matrix_by_the_printed_formulas() {
             at(1, 3).atan2(at(1, 1).hypot(at(1, 2))),
             (-at(2, 3)).atan2(at(3, 3)),
         ];
-        let rotation = read(t, MatrixConvention::BODY_TO_WORLD);
+        let rotation = nearest(t, MatrixConvention::BODY_TO_WORLD);
         let got = rotation.euler(EulerSequence::AEROSPACE);
         assert_close("3-2-1 successive", &got.angles_rad, &successive, 1e-13);
         let got = rotation.euler(fixed("zyx"));

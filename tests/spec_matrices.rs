@@ -4,7 +4,7 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, assert_close, wasm_bindgen_test};
+use common::{all_conventions, assert_close, nearest, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Quaternion, SMatrix, Vector3};
 use quatlas::{
     ComponentSign, Convention, CosineMatrix, Direction, Function, Handedness, MatrixConvention,
@@ -24,17 +24,6 @@ fn body_to_world(entries: Matrix3<f64>) -> TaggedMatrix {
         entries,
         convention: MatrixConvention::BODY_TO_WORLD,
     }
-}
-
-#[track_caller]
-fn read(entries: Matrix3<f64>, convention: MatrixConvention) -> Rotation {
-    let matrix = TaggedMatrix {
-        entries,
-        convention,
-    };
-    Rotation::nearest_to_matrix(&matrix)
-        .expect("a rotation")
-        .rotation
 }
 
 /// 000-S1.a, 000-S1.b, 000-1.4, 000-1.8, 003-S2.a, 003-S2.1.b, 003-S2.1.d, 003-S2.1.e, 004-RM.16
@@ -73,7 +62,7 @@ fn the_columns_are_the_axes_that_function_and_direction_name() {
             };
             let got = attitude(&v).to_tagged_matrix(convention).entries;
             assert_same(&convention.to_string(), &got, &columns, CLOSE);
-            let read = read(columns, convention);
+            let read = nearest(columns, convention);
             assert_same("read", &read.rotation_vector_rad(), &v, 1e-13);
         }
         for x in vectors() {
@@ -113,7 +102,7 @@ fn the_logarithm_of_a_matrix_has_the_sign_of_its_function_and_direction() {
     for v in turns() {
         for convention in MatrixConvention::all() {
             let m = matrix(convention, &v);
-            let got = read(m, convention).rotation_vector_rad();
+            let got = nearest(m, convention).rotation_vector_rad();
             let by_trace = logarithm(&m) * tau(convention.function, convention.direction);
             assert_same(&convention.to_string(), &got, &by_trace, 1e-12);
             assert_same(&convention.to_string(), &got, &v, 1e-13);
@@ -123,7 +112,7 @@ fn the_logarithm_of_a_matrix_has_the_sign_of_its_function_and_direction() {
     }
     // At half a turn the formula by the trace is 0/0, and with a guard the zero vector.
     let half_turn = Matrix3::from_diagonal(&Vector3::new(-1.0, 1.0, -1.0));
-    let v = read(half_turn, MatrixConvention::WORLD_TO_BODY).rotation_vector_rad();
+    let v = nearest(half_turn, MatrixConvention::WORLD_TO_BODY).rotation_vector_rad();
     assert_close(
         "π",
         &v.map(f64::abs).data.0[0],
@@ -170,7 +159,7 @@ fn matrix_to_quaternion_has_the_differences_of_its_hand_in_all_four_branches() {
             for (handedness, g) in [(Handedness::Right, 1.0), (Handedness::Left, -1.0)] {
                 let (branch, expected) = four_branches(&m, g);
                 branches[branch] = true;
-                let q = read(m, convention).to_tagged(Convention {
+                let q = nearest(m, convention).to_tagged(Convention {
                     handedness,
                     function: convention.function,
                     direction: convention.direction,
@@ -182,7 +171,7 @@ fn matrix_to_quaternion_has_the_differences_of_its_hand_in_all_four_branches() {
         }
         // "My Lab": the active quaternion of the passive matrix has reversed differences.
         let m = matrix(MatrixConvention::WORLD_TO_BODY, &v);
-        let q = read(m, MatrixConvention::WORLD_TO_BODY).to_tagged(Convention::MY_LAB);
+        let q = nearest(m, MatrixConvention::WORLD_TO_BODY).to_tagged(Convention::MY_LAB);
         assert_turn("My Lab", &q.components, &four_branches(&m, -1.0).1);
     }
     assert_eq!(branches, [true; 4], "every branch is taken");
@@ -205,7 +194,7 @@ fn all_pairings_of_a_quaternion_convention_with_a_matrix_convention() {
                 };
                 let other = other.of(&q).expect("not zero");
                 assert_same(&what, &other, &m.transpose(), CLOSE);
-                let back = read(m, paired).to_tagged(quaternion);
+                let back = nearest(m, paired).to_tagged(quaternion);
                 assert_turn(&what, &back.components, &q);
 
                 let is_same = quaternion.function == paired.function
@@ -353,7 +342,7 @@ fn the_logarithm_of_a_matrix_keeps_its_digits_at_all_angles() {
     for angle in others.into_iter().chain(before_pi) {
         let m = attitude(&(axis * angle)).body_to_world_matrix();
         let error = |v: Vector3<f64>| (v / angle - axis).amax();
-        let got = error(read(m, MatrixConvention::BODY_TO_WORLD).rotation_vector_rad());
+        let got = error(nearest(m, MatrixConvention::BODY_TO_WORLD).rotation_vector_rad());
         assert!(got < 1e-15, "{angle}: {got}");
         let by_trace = error(logarithm(&m));
         let keeps = (1e-8..3.1).contains(&angle);

@@ -4,7 +4,7 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, assert_close, wasm_bindgen_test};
+use common::{all_conventions, assert_close, integrated_entries, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     ComponentOrder, Direction, Function, Handedness, MatrixConvention, Rotation, TaggedQuaternion,
@@ -326,17 +326,7 @@ fn the_rotation_vector_is_integrated_with_order_4() {
         (exponential_matrix(&v), wraps)
     };
     // Fine steps on the nine entries.
-    let (fine, mut r) = (8000, exponential_matrix(&start));
-    let h = 2.0 / f64::from(fine);
-    for n in 0..fine {
-        let time = f64::from(n) * h;
-        let derivative = |time: f64, r: Matrix3<f64>| r * skew(&rate(time));
-        let a = derivative(time, r);
-        let b = derivative(time + h / 2.0, r + a * (h / 2.0));
-        let c = derivative(time + h / 2.0, r + b * (h / 2.0));
-        let d = derivative(time + h, r + c * h);
-        r += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
-    }
+    let r = integrated_entries(exponential_matrix(&start), rate, 2.0, 8000);
     let error = |steps: u32| (integrate(steps).0 - r).norm();
     assert!(integrate(64).1 > 0, "π is passed");
     assert_order("RK4", (error(64) / error(128)).log2(), 4.0);

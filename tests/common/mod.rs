@@ -5,11 +5,11 @@
     reason = "each test file is a crate of its own and uses a part of this"
 )]
 
-use quatlas::nalgebra::{Matrix3, Quaternion};
+use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
 use quatlas::{
     AngleUnit, ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, Fact, Field,
-    Function, Handedness, Outcome, ParsedRotation, Perturbation, Problem, ReadReport, ReadRequest,
-    Request, UnitSource, analyze, parse_rotation,
+    Function, Handedness, MatrixConvention, Outcome, ParsedRotation, Perturbation, Problem,
+    ReadReport, ReadRequest, Request, Rotation, TaggedMatrix, UnitSource, analyze, parse_rotation,
 };
 pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -107,4 +107,38 @@ pub(crate) fn problems(outcome: Outcome) -> Vec<Problem> {
 
 pub(crate) fn facts(report: &ReadReport) -> Vec<Fact> {
     report.notes.iter().map(|note| note.fact.clone()).collect()
+}
+
+/// The rotation nearest to a matrix of this convention.
+#[track_caller]
+pub(crate) fn nearest(entries: Matrix3<f64>, convention: MatrixConvention) -> Rotation {
+    let matrix = TaggedMatrix {
+        entries,
+        convention,
+    };
+    Rotation::nearest_to_matrix(&matrix)
+        .expect("a rotation")
+        .rotation
+}
+
+/// The nine entries of `R_WB` after a time with the body's rate, by steps of the classical
+/// Runge-Kutta method on `Ṙ = R [ω_B]×`.
+pub(crate) fn integrated_entries(
+    start: Matrix3<f64>,
+    body_rate: impl Fn(f64) -> Vector3<f64>,
+    duration: f64,
+    steps: u32,
+) -> Matrix3<f64> {
+    let mut r = start;
+    let h = duration / f64::from(steps);
+    for n in 0..steps {
+        let time = f64::from(n) * h;
+        let derivative = |time: f64, r: Matrix3<f64>| r * body_rate(time).cross_matrix();
+        let a = derivative(time, r);
+        let b = derivative(time + h / 2.0, r + a * (h / 2.0));
+        let c = derivative(time + h / 2.0, r + b * (h / 2.0));
+        let d = derivative(time + h, r + c * h);
+        r += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+    }
+    r
 }

@@ -7,7 +7,6 @@
 use crate::attitude::{Attitude, Declared, euler, rules, turn};
 use crate::compose::compose;
 use crate::convention::Convention;
-use crate::messages::Fault;
 use crate::parse::parse_vector;
 use crate::problem::{Field, Problem};
 use crate::report::{
@@ -107,8 +106,7 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => return Err(problems([p.err(), q.err(), vector.err()])),
     };
-    let composition = compose(&p.tagged, &q.tagged, vector)
-        .map_err(|_| vec![Fault::zero_quaternion(p.span).in_field(Field::P)])?;
+    let composition = compose(&p, &q, vector);
 
     let mut notes = p.notes(Field::P);
     notes.extend(q.notes(Field::Q));

@@ -18,18 +18,18 @@ use crate::report::{
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::{MatrixConvention, TaggedMatrix};
+use crate::scaling::UNIT_ROUNDOFF;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use std::f64::consts::TAU;
 
 /// A scalar part this small is a rounded cosine of 90°: the turn is half a turn.
-const HALF_TURN_SCALAR: f64 = f64::EPSILON / 2.0;
+const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
 
 /// A matrix this far from the nearest rotation (Frobenius norm) is not one with rounded entries: two
 /// decimals are off by 0.015 at most.
 const LARGEST_CORRECTION: f64 = 0.1;
 
-/// Half a unit in the last of six decimals, nine times: a matrix that is off by less was rounded, and
-/// nothing is said of it beyond its rounding.
+/// Nine entries that are rounded to doubles are off by less, together; of them nothing is said.
 const SMALLEST_CORRECTION_TOLD: f64 = 4.0 * f64::EPSILON;
 
 /// What four numbers and nine numbers are declared to mean.
@@ -50,8 +50,6 @@ pub(crate) struct Attitude {
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
     pub(crate) rotation: Rotation,
-    /// Where the text stands, without the white space around it.
-    pub(crate) span: Span,
 }
 
 impl Attitude {
@@ -112,7 +110,6 @@ impl Attitude {
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
-            span,
         })
     }
 
@@ -136,7 +133,6 @@ impl Attitude {
             declared,
             tagged,
             rotation,
-            span,
         })
     }
 

@@ -4,19 +4,19 @@
 //! because `(p∘q)∘x∘(p∘q)⁻¹ = p∘(q∘x∘q⁻¹)∘p⁻¹`. Which turn of the body comes
 //! first is another question; its answer depends on the direction.
 
+use crate::attitude::Attitude;
 use crate::convention::{Convention, Direction, Handedness};
-use crate::quaternion::{self, TaggedQuaternion};
+use crate::quaternion;
 use crate::report::{
     Components, Frame, Operand, OrderMatters, OutOfRange, OutOfRangeNumber, Product, coordinates,
     rows3,
 };
-use crate::rotation::{NoRotation, Rotation};
-use crate::scaling;
+use crate::scaling::{self, UNIT_ROUNDOFF};
 use nalgebra::{Quaternion, Vector3};
 
 /// How far parallel directions of length 1 may seem apart by the rounding of their components, by
 /// half a unit in the last place when typed and a few when normalised and multiplied.
-const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * (f64::EPSILON / 2.0);
+const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * UNIT_ROUNDOFF;
 
 /// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p, in this order.
 const PRODUCTS: usize = 4;
@@ -29,51 +29,48 @@ pub(crate) struct Composition {
     pub(crate) out_of_range: Option<OutOfRange>,
 }
 
-/// `p` and `q` are in one convention; every product is taken in the preset of its own hand.
-pub(crate) fn compose(
-    p: &TaggedQuaternion,
-    q: &TaggedQuaternion,
-    vector: Vector3<f64>,
-) -> Result<Composition, NoRotation> {
-    let unit_p = p.normalize().ok_or(NoRotation)?;
-    let unit_q = q.normalize().ok_or(NoRotation)?;
-    let is_representable = |hand, left: &TaggedQuaternion, right: &TaggedQuaternion| {
-        quaternion::representable_product(hand, &left.components, &right.components).is_some()
+/// Every product is taken in the preset of its own hand.
+pub(crate) fn compose(p: &Attitude, q: &Attitude, vector: Vector3<f64>) -> Composition {
+    let is_representable = |hand, left: &Attitude, right: &Attitude| {
+        let (left, right) = (&left.tagged.components, &right.tagged.components);
+        quaternion::representable_product(hand, left, right).is_some()
     };
     let as_typed = Handedness::ALL
         .iter()
         .all(|&hand| is_representable(hand, p, q) && is_representable(hand, q, p));
-    let (shown_p, shown_q) = if as_typed { (p, q) } else { (&unit_p, &unit_q) };
 
-    let order_matters = order_matters(&unit_p.components, &unit_q.components);
+    let unit = |attitude: &Attitude| attitude.rotation.to_tagged(Convention::HAMILTON).components;
+    let order_matters = order_matters(&unit(p), &unit(q));
     let mut products = Vec::with_capacity(PRODUCTS);
     for preset in [Convention::HAMILTON, Convention::JPL] {
         for (left, right) in [(Operand::P, Operand::Q), (Operand::Q, Operand::P)] {
-            let pick = |operand, p: &TaggedQuaternion, q: &TaggedQuaternion| match operand {
-                Operand::P => p.to_convention(preset),
-                Operand::Q => q.to_convention(preset),
+            let pick = |operand| match operand {
+                Operand::P => p,
+                Operand::Q => q,
             };
-            let multiply = |p, q| {
-                quaternion::representable_product(
-                    preset.handedness,
-                    &pick(left, p, q).components,
-                    &pick(right, p, q).components,
-                )
+            let shown = |operand| {
+                let attitude = pick(operand);
+                let quaternion = if as_typed {
+                    attitude.tagged
+                } else {
+                    attitude.rotation.to_tagged(preset)
+                };
+                quaternion.to_convention(preset).components
             };
-            let typed_product = multiply(shown_p, shown_q).ok_or(NoRotation)?;
-            let unit_product = TaggedQuaternion {
-                components: multiply(&unit_p, &unit_q).ok_or(NoRotation)?,
-                convention: preset,
+            let product = quaternion::product(preset.handedness, &shown(left), &shown(right));
+            let (first, second) = (pick(right).rotation, pick(left).rotation);
+            let direction = preset.operator();
+            // Of the matrices of either direction, M(left) M(right).
+            let both = match direction {
+                Direction::BodyToWorld => second * first,
+                Direction::WorldToBody => first * second,
             };
             let place = products.len();
-            let direction = preset.operator();
-            let first = Rotation::from_tagged(&pick(right, &unit_p, &unit_q))?;
-            let both = Rotation::from_tagged(&unit_product)?;
             products.push(Product {
                 convention: preset,
                 left,
                 right,
-                quaternion: Components::of(&typed_product, preset.order),
+                quaternion: Components::of(&product, preset.order),
                 matrix: rows3(&both.matrix(direction)),
                 images: first
                     .rotate_within_range(vector, direction)
@@ -97,13 +94,13 @@ pub(crate) fn compose(
             });
         }
     }
-    Ok(Composition {
+    Composition {
         order_matters,
         products,
         out_of_range: (!as_typed).then_some(OutOfRange {
             what: OutOfRangeNumber::Product,
         }),
-    })
+    }
 }
 
 /// The frames on the way of a vector's coordinates; the right factor leads from the first to the

@@ -3,6 +3,7 @@ import { computed, signal } from "@preact/signals";
 import { fromFragment, opening, type PageState } from "./address.ts";
 import type {
   ComposeReport,
+  Convention,
   Engine,
   Field,
   Outcome,
@@ -51,6 +52,7 @@ export function createStore(engine: Engine, fragment: string) {
 
   return {
     state,
+    engine,
     read,
     compose,
     failure,
@@ -66,11 +68,16 @@ export function createStore(engine: Engine, fragment: string) {
 }
 
 function requestOf(state: PageState, engine: Engine): Request {
-  const { view, quaternion, p, q, vector } = state;
-  const convention = engine[state.preset];
+  const { view, quaternion, p, q, vector, matrix, euler } = state;
+  const convention = declaredConvention(state, engine);
   return view === "read"
-    ? { view, quaternion, vector, convention }
-    : { view, p, q, vector, convention };
+    ? { view, quaternion, vector, convention, matrix, euler }
+    : { view, p, q, vector, convention, matrix };
+}
+
+/** What four typed numbers are declared to mean. */
+export function declaredConvention(state: PageState, engine: Engine): Convention {
+  return { ...engine[state.preset], ...state.axes };
 }
 
 type Answer = ReturnType<Engine["analyze"]>;

@@ -7,6 +7,12 @@ test("every state reads back from its fragment", () => {
   const states: PageState[] = [
     opening,
     { ...opening, view: "compose", p: "1 + i", q: "", digits: "all" },
+    {
+      ...opening,
+      axes: { handedness: "left", perturbation: "global" },
+      matrix: { function: "active", direction: "world-to-body" },
+      euler: { axes: "zxz", frame: "extrinsic" },
+    },
     { ...opening, preset: "jpl", quaternion: "x: 1\ny: 2 & = # % +\n🙂", vector: "½" },
   ];
   for (const state of states) {
@@ -16,7 +22,13 @@ test("every state reads back from its fragment", () => {
 });
 
 test("a fragment that says nonsense gives the opening state", () => {
-  for (const fragment of ["", "#", "#nonsense?as=neither&digits=9", "#read?%E0%A4%A"]) {
+  for (const fragment of [
+    "",
+    "#",
+    "#nonsense?as=neither&digits=9",
+    "#read?order=middle&handedness=both&matrix=x&rows=y&euler=zYx",
+    "#read?%E0%A4%A",
+  ]) {
     expect(fromFragment(fragment)).toEqual(opening);
   }
 });

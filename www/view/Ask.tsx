@@ -3,8 +3,8 @@ import type { ComponentChildren } from "preact";
 import { useId, useRef } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
-import type { Freshness, Store } from "../state.ts";
-import { symbolOf, wordsOf } from "./words.ts";
+import { declaredConvention, type Freshness, type Store } from "../state.ts";
+import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 /** A field for text in any form, with the place of a problem marked in the text itself. */
 export function TextField({ store, field }: { store: Store; field: Field }) {
@@ -106,7 +106,10 @@ const presets: Preset[] = ["hamilton", "jpl"];
 
 /** Declares how the text is meant. */
 export function ConventionSwitch({ store }: { store: Store }) {
-  const { preset: chosen } = store.state.value;
+  const state = store.state.value;
+  const convention = declaredConvention(state, store.engine);
+  const isPreset = Object.keys(state.axes).length === 0;
+  const chosen = isPreset ? state.preset : undefined;
   return (
     <fieldset class="switch">
       <legend class="visually-hidden">The text is meant as</legend>
@@ -117,12 +120,21 @@ export function ConventionSwitch({ store }: { store: Store }) {
             name="convention"
             value={preset}
             checked={preset === chosen}
-            onChange={() => store.set({ preset })}
+            onChange={() => store.set({ preset, axes: {} })}
           />
           <span class="switch-name">{wordsOf[preset].name}</span>
           <span class="switch-meaning">{wordsOf[preset].meaning}</span>
         </label>
       ))}
+      {!isPreset && (
+        <label class="switch-choice custom">
+          <input type="radio" name="convention" value="custom" checked />
+          <span class="switch-name">Custom</span>
+          <span class="switch-meaning">
+            {nameOf(convention, store.engine) ?? fiveWords(convention)}
+          </span>
+        </label>
+      )}
     </fieldset>
   );
 }

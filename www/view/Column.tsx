@@ -11,7 +11,8 @@ export function ConventionColumn({
   digits,
 }: {
   preset: Preset;
-  declared: Preset;
+  /** The preset that was declared; none where the convention is another one. */
+  declared: Preset | undefined;
   column: Column;
   digits: Digits;
 }) {

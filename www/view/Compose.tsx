@@ -4,10 +4,11 @@ import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engi
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { MoreAxes } from "./Axes.tsx";
+import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
-import { NamedComponents } from "./Read.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
-import { presetOf, wordsOf } from "./words.ts";
+import { operatorOf, presetOf, presetTowards, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
   const { digits } = store.state.value;
@@ -26,6 +27,7 @@ export function Compose({ store }: { store: Store }) {
           <TextField store={store} field="vector" />
           <DigitsSwitch store={store} />
         </div>
+        <MoreAxes store={store} />
         <AskStatus store={store} freshness={shownResult?.freshness}>
           {shownResult && (
             <div class="read-as">
@@ -53,16 +55,14 @@ const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };
 const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "B′" };
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
 
-/** p times q in the product that the texts were declared in. */
+/** p times q as the texts were declared: of the same attitudes, with a matrix in the same direction. */
 export function declaredProduct(report: ComposeReport): Product | undefined {
-  const { handedness } = report.p.convention;
-  return report.products.find(
-    ({ convention, left }) => convention.handedness === handedness && left === "p",
-  );
+  const towards = operatorOf(report.p.convention);
+  return report.products.find(({ direction, left }) => direction === towards && left === "p");
 }
 
 function Result({ report, digits }: { report: ComposeReport; digits: Digits }) {
-  const preset = presetOf[report.p.convention.handedness];
+  const preset = presetTowards[operatorOf(report.p.convention)];
   const declared = declaredProduct(report);
   // Each product of the Hamilton kind stands beside the JPL product that has the same numbers.
   const pairs = report.products

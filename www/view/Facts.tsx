@@ -1,10 +1,12 @@
 // What no convention changes: the turn itself.
-import type { Digits } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
 import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import type { Store } from "../state.ts";
+import { EulerFact } from "./EulerFact.tsx";
 import { Copy } from "./Value.tsx";
 
-export function Facts({ report, digits }: { report: ReadReport; digits: Digits }) {
+export function Facts({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits } = store.state.value;
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
@@ -33,6 +35,7 @@ export function Facts({ report, digits }: { report: ReadReport; digits: Digits }
         </p>
         <p>Angle times axis, in radians. No convention changes it.</p>
       </div>
+      <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
         <h2>The other sign</h2>
         <p class="fact-value">

@@ -83,6 +83,29 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
           <code>{orders[fact.order]}</code>, as declared.
         </>
       );
+    case "angle-unit-assumed":
+      return fact.unit === "degrees" ? (
+        <>
+          The angles have no unit: read as <strong>degrees</strong>, since one of them is more than
+          a full turn in radians. Write <code>deg</code> or <code>rad</code> to be sure.
+        </>
+      ) : (
+        <>
+          The angles have no unit: read as <strong>radians</strong>. Write <code>deg</code> or{" "}
+          <code>rad</code> to be sure.
+        </>
+      );
+    case "nearest-rotation":
+      return (
+        <>
+          The matrix is not quite a rotation (<var>M</var>
+          <sup>T</sup>
+          <var>M</var> is off from <var>I</var> by up to{" "}
+          <code>{shown(Number(fact.orthogonalityError.toPrecision(2)), "all")}</code>): the nearest
+          rotation is used, <code>{shown(Number(fact.correction.toPrecision(2)), "all")}</code>{" "}
+          away.
+        </>
+      );
     case "negative-scalar":
       return (
         <>

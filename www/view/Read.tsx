@@ -1,15 +1,17 @@
-// The Read view: one quaternion, both conventions side by side.
+// The Read view: one attitude, both conventions side by side.
 import { type Digits, type Preset, toFragment } from "../address.ts";
-import type { ReadQuaternion, ReadReport } from "../engine.ts";
+import type { ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
+import { MoreAxes } from "./Axes.tsx";
 import { ConventionColumn } from "./Column.tsx";
+import { DeclaredCard } from "./Declared.tsx";
 import { Facts } from "./Facts.tsx";
+import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
 import { Relation } from "./Relation.tsx";
-import { namesInOrder } from "./Value.tsx";
-import { presetOf } from "./words.ts";
+import { presetLike } from "./words.ts";
 
 export function Read({ store }: { store: Store }) {
   const { digits } = store.state.value;
@@ -23,22 +25,24 @@ export function Read({ store }: { store: Store }) {
         </div>
         <div class="ask-row">
           <TextField store={store} field="vector" />
-          <Examples store={store} />
           <DigitsSwitch store={store} />
         </div>
+        <Examples store={store} />
+        <MoreAxes store={store} />
         <AskStatus store={store} freshness={shownResult?.freshness}>
           {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
         </AskStatus>
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>
-          <Result report={shownResult.report} digits={digits} />
+          <Result report={shownResult.report} store={store} />
         </div>
       )}
     </>
   );
 }
 
+/** What there is to type, one example of each description. */
 const examples: { name: string; quaternion: string; vector: string; preset: Preset }[] = [
   {
     name: "45° about z",
@@ -59,6 +63,24 @@ const examples: { name: string; quaternion: string; vector: string; preset: Pres
     preset: "hamilton",
   },
   {
+    name: "Yaw, pitch, roll",
+    quaternion: "ZYX 30° 20° 10°",
+    vector: "1 0 0",
+    preset: "hamilton",
+  },
+  {
+    name: "A matrix",
+    quaternion: "0.36 -0.48 0.8\n0.8 0.6 0\n-0.48 0.64 0.6",
+    vector: "1 0 0",
+    preset: "hamilton",
+  },
+  {
+    name: "Axis and angle",
+    quaternion: "90° about [0, 1, 1]",
+    vector: "1 0 0",
+    preset: "hamilton",
+  },
+  {
     name: "120° about (1,1,1)",
     quaternion: "1/2 + i/2 + j/2 + k/2",
     vector: "1 2 3",
@@ -74,7 +96,7 @@ function Examples({ store }: { store: Store }) {
       <ul aria-labelledby="examples-label">
         {examples.map(({ name, ...example }) => (
           <li key={name}>
-            <a href={`#${toFragment({ ...store.state.value, ...example })}`}>{name}</a>
+            <a href={`#${toFragment({ ...store.state.value, ...example, axes: {} })}`}>{name}</a>
           </li>
         ))}
       </ul>
@@ -87,7 +109,7 @@ function ReadAs({ report, digits }: { report: ReadReport; digits: Digits }) {
     <div class="read-as">
       <p>
         Read as <NamedComponents quaternion={report.quaternion} digits={digits} />
-        {report.quaternion.norm !== undefined && (
+        {report.quaternion.form.kind === "quaternion" && report.quaternion.norm !== undefined && (
           <span class="read-as-part">
             norm <code>{shown(report.quaternion.norm, digits)}</code>
           </span>
@@ -101,30 +123,15 @@ function ReadAs({ report, digits }: { report: ReadReport; digits: Digits }) {
   );
 }
 
-export function NamedComponents({
-  quaternion,
-  digits,
-}: {
-  quaternion: ReadQuaternion;
-  digits: Digits;
-}) {
-  const { components, convention } = quaternion;
-  return (
-    <span class="named-components">
-      {namesInOrder(convention).map((name) => (
-        <span key={name} class="read-as-part">
-          {name} <code>{shown(components[name], digits)}</code>
-        </span>
-      ))}
-    </span>
-  );
-}
-
-function Result({ report, digits }: { report: ReadReport; digits: Digits }) {
+function Result({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits } = store.state.value;
   // What the numbers were declared as, which is not the switch's state while a text has a problem.
-  const declared = presetOf[report.quaternion.convention.handedness];
+  const declared = presetLike(report.quaternion.convention, store.engine);
   return (
     <>
+      {declared === undefined && (
+        <DeclaredCard report={report} engine={store.engine} digits={digits} />
+      )}
       <div class="columns">
         {(["hamilton", "jpl"] as const).map((preset) => (
           <ConventionColumn
@@ -137,7 +144,7 @@ function Result({ report, digits }: { report: ReadReport; digits: Digits }) {
         ))}
       </div>
       <Relation report={report} digits={digits} declared={declared} />
-      <Facts report={report} digits={digits} />
+      <Facts report={report} store={store} />
     </>
   );
 }

@@ -2,6 +2,7 @@
 import type { Digits, Preset } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
 import { shownArray } from "../format.ts";
+import { operatorOf } from "./words.ts";
 
 export function Relation({
   report,
@@ -10,8 +11,10 @@ export function Relation({
 }: {
   report: ReadReport;
   digits: Digits;
-  declared: Preset;
+  declared: Preset | undefined;
 }) {
+  const { handedness, ...declaration } = report.quaternion.convention;
+  const isEq18 = handedness === "left" && operatorOf(declaration) === "body-to-world";
   const array = (numbers: readonly number[]) => <code>{shownArray(numbers, digits)}</code>;
   return (
     <section class="relation" aria-label="How the two readings relate">
@@ -28,11 +31,7 @@ export function Relation({
           <dt class="jpl">JPL, world → body</dt>
           <dd>{array(report.jpl.quaternion.array)}</dd>
         </dl>
-        <p class="relation-applies">
-          {declared === "hamilton"
-            ? "Applies to you if the JPL side keeps its custom, world to body."
-            : "Applies to you if the Hamilton side keeps its custom, body to world."}
-        </p>
+        <p class="relation-applies">{applies(declared)}</p>
       </div>
       <div class="relation-part">
         <h2>Same matrix, conjugate numbers</h2>
@@ -48,11 +47,22 @@ export function Relation({
           <dd>{array(report.jplWithSameMatrix.array)}</dd>
         </dl>
         <p class="relation-applies">
-          {declared === "hamilton"
-            ? "Not what you declared: only for a JPL side that states body to world."
-            : "Not what you declared: your JPL numbers lead from world to body."}
+          {isEq18 ? "This is what you declared." : appliesNot(declared)}
         </p>
       </div>
     </section>
   );
+}
+
+function applies(declared: Preset | undefined): string {
+  if (declared === undefined) return "Applies between two programs that keep these customs.";
+  return declared === "hamilton"
+    ? "Applies to you if the JPL side keeps its custom, world to body."
+    : "Applies to you if the Hamilton side keeps its custom, body to world.";
+}
+
+function appliesNot(declared: Preset | undefined): string {
+  return declared === "jpl"
+    ? "Not what you declared: your JPL numbers lead from world to body."
+    : "Not what you declared: only for a JPL side that states body to world.";
 }

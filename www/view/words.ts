@@ -1,12 +1,20 @@
 // The names of the texts and of the two presets; the same words everywhere on the page.
-import type { Preset } from "../address.ts";
-import type { Field, Handedness } from "../engine.ts";
+import type { Axis, Preset } from "../address.ts";
+import type { Convention, Direction, Engine, Field, Handedness } from "../engine.ts";
 
 /** What a text is called in formulas. */
 export const symbolOf: Record<Field, string> = { quaternion: "q", p: "p", q: "q", vector: "x" };
 
 /** The preset that has a product. */
 export const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
+
+const arrows: Record<Direction, string> = {
+  "body-to-world": "body → world",
+  "world-to-body": "world → body",
+};
+
+/** A direction as it stands beside a matrix. */
+export const arrowOf = (direction: Direction) => arrows[direction];
 
 /** What the two presets are called and do. */
 export const wordsOf = {
@@ -33,3 +41,109 @@ export const wordsOf = {
     vector: "x on the world axes, seen in the body",
   },
 } as const;
+
+/** What the values of each axis are called, and what they do. */
+export const axisWords: {
+  [Name in Axis]: {
+    name: string;
+    asks: string;
+    values: Record<Convention[Name], [string, string]>;
+  };
+} = {
+  order: {
+    name: "Order",
+    asks: "where the scalar stands",
+    values: {
+      "scalar-first": ["scalar first", "[w, x, y, z]"],
+      "scalar-last": ["scalar last", "[x, y, z, w]"],
+    },
+  },
+  handedness: {
+    name: "Handedness",
+    asks: "which product",
+    values: {
+      right: ["right", "ij = k: p ⊙ q, Hamilton"],
+      left: ["left", "ij = −k: p ⊗ q, JPL (Shuster)"],
+    },
+  },
+  function: {
+    name: "Function",
+    asks: "what moves",
+    values: {
+      passive: ["passive", "the vector stays, its coordinates change"],
+      active: ["active", "the axes stay, the vector moves"],
+    },
+  },
+  direction: {
+    name: "Direction",
+    asks: "from which frame to which",
+    values: {
+      "body-to-world": ["body to world", "from the body frame to the world frame"],
+      "world-to-body": ["world to body", "from the world frame to the body frame"],
+    },
+  },
+  perturbation: {
+    name: "Perturbation",
+    asks: "whose axes a small turn is on",
+    values: {
+      local: ["local", "on the axes of the body"],
+      global: ["global", "on the axes of the world"],
+    },
+  },
+};
+
+/** A convention in its five words. */
+export function fiveWords(convention: Convention): string {
+  const { order, handedness, direction, perturbation } = axisWords;
+  return [
+    order.values[convention.order][0],
+    handedness.values[convention.handedness][0],
+    axisWords.function.values[convention.function][0],
+    direction.values[convention.direction][0],
+    perturbation.values[convention.perturbation][0],
+  ].join(", ");
+}
+
+/** The direction of the matrix that a quaternion acts with: the active one is the inverse. */
+export function operatorOf({
+  function: does,
+  direction,
+}: Pick<Convention, "function" | "direction">): Direction {
+  if (does === "passive") return direction;
+  return direction === "body-to-world" ? "world-to-body" : "body-to-world";
+}
+
+/** The preset whose matrix leads in this direction. */
+export const presetTowards: Record<Direction, Preset> = {
+  "body-to-world": "hamilton",
+  "world-to-body": "jpl",
+};
+
+/** The preset that says the same as a convention, but for the places of the numbers and small turns. */
+export function presetLike(convention: Convention, engine: Engine): Preset | undefined {
+  const same = (preset: Preset) =>
+    (["handedness", "function", "direction"] as const).every(
+      (axis) => engine[preset][axis] === convention[axis],
+    );
+  return (["hamilton", "jpl"] as const).find(same);
+}
+
+/** The name of a convention that has one; the perturbation is none of its business. */
+export function nameOf(convention: Convention, engine: Engine): string | undefined {
+  const { hamilton, jpl } = engine;
+  const known: [string, Convention][] = [
+    ["Hamilton", hamilton],
+    ["JPL", jpl],
+    ["Hamilton as Eigen and ROS store it", { ...hamilton, order: "scalar-last" }],
+    ["JPL of Yoosefian 2021, eq. 18", { ...jpl, direction: "body-to-world" }],
+    [
+      "“My Lab” of the field guide",
+      { ...hamilton, function: "active", direction: "world-to-body" },
+    ],
+  ];
+  const isSame = (other: Convention) =>
+    (["order", "handedness", "function", "direction"] as const).every(
+      (axis) => other[axis] === convention[axis],
+    );
+  return known.find(([, other]) => isSame(other))?.[0];
+}

@@ -1,0 +1,59 @@
+// What the tests of the page share: a console error or a foreign request fails any test.
+import AxeBuilder from "@axe-core/playwright";
+import { test as base, expect, type Locator, type Page } from "@playwright/test";
+
+export const test = base.extend<{ page: Page }>({
+  page: async ({ page, baseURL }, use) => {
+    const errors: string[] = [];
+    const foreign: string[] = [];
+    page.on("console", (message) => {
+      if (message.type() === "error") errors.push(message.text());
+    });
+    page.on("pageerror", (error) => errors.push(error.message));
+    page.on("request", (request) => {
+      const url = request.url();
+      const isOwn = url.startsWith(baseURL ?? "") || /^(data|blob):/.test(url);
+      if (!isOwn) foreign.push(url);
+    });
+    await use(page);
+    expect(errors, "console errors").toEqual([]);
+    expect(foreign, "requests that leave the origin").toEqual([]);
+  },
+});
+
+const minus = "−";
+
+/** The cells of a matrix as numbers, row by row. */
+export async function numbersOf(table: Locator): Promise<number[]> {
+  const cells = await table.locator("td").allTextContents();
+  return cells.map((cell) => Number(cell.trim().replace(minus, "-")));
+}
+
+export function matrix(page: Page, name: string) {
+  return page.getByRole("table", { name, exact: true });
+}
+
+export const quaternionField = (page: Page) => page.getByRole("textbox", { name: "quaternion q" });
+
+/** Tabs from the start of the page until the element has the focus. */
+export async function tabTo(page: Page, element: Locator) {
+  for (let presses = 0; presses < 40; presses += 1) {
+    if (await element.evaluate((node) => node === document.activeElement)) return;
+    await page.keyboard.press("Tab");
+  }
+  throw new Error("the element cannot be reached with the Tab key");
+}
+
+export async function typeOver(page: Page, text: string) {
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.type(text);
+}
+
+/** The violations that axe finds, with every part of the page open. */
+export async function violationsOf(page: Page) {
+  for (const summary of await page.locator("summary").all()) await summary.click();
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  return violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]);
+}
+
+export { expect };

@@ -1,0 +1,100 @@
+// *More*: the five axes of the declared convention, and how nine typed numbers are read.
+import { type Axis, axes, axisValues } from "../address.ts";
+import type { Convention, MatrixConvention } from "../engine.ts";
+import { declaredConvention, type Store } from "../state.ts";
+import { arrowOf, axisWords, fiveWords, nameOf, operatorOf } from "./words.ts";
+
+export function MoreAxes({ store }: { store: Store }) {
+  const state = store.state.value;
+  const convention = declaredConvention(state, store.engine);
+  const base = store.engine[state.preset];
+  const setAxis = (axis: Axis, value: string) => {
+    const changed = { ...convention, [axis]: value } as Convention;
+    // What is as in the preset is no choice of its own.
+    const differing = axes.filter((name) => changed[name] !== base[name]);
+    store.set({ axes: Object.fromEntries(differing.map((name) => [name, changed[name]])) });
+  };
+  const setMatrix = (axis: keyof MatrixConvention, value: string) =>
+    store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
+  return (
+    <details class="more">
+      <summary>
+        More{" "}
+        <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
+      </summary>
+      <div class="more-panel">
+        <p>What four typed numbers mean is five choices, each by itself.</p>
+        <div class="axis-choices">
+          {axes.map((axis) => (
+            <Choice
+              key={axis}
+              axis={axis}
+              group={axis}
+              chosen={convention[axis]}
+              choose={(value) => setAxis(axis, value)}
+            />
+          ))}
+        </div>
+        <p>
+          Nine typed numbers are a matrix, row by row, with a function and a direction of its own:{" "}
+          <strong>{arrowOf(operatorOf(state.matrix))}</strong>, its columns are the{" "}
+          {operatorOf(state.matrix) === "body-to-world"
+            ? "body axes in the world"
+            : "world axes in the body"}
+          .
+        </p>
+        <div class="axis-choices">
+          {(["function", "direction"] as const).map((axis) => (
+            <Choice
+              key={axis}
+              axis={axis}
+              group={`matrix-${axis}`}
+              of="of the matrix"
+              chosen={state.matrix[axis]}
+              choose={(value) => setMatrix(axis, value)}
+            />
+          ))}
+        </div>
+      </div>
+    </details>
+  );
+}
+
+function Choice({
+  axis,
+  group,
+  of,
+  chosen,
+  choose,
+}: {
+  axis: Axis;
+  group: string;
+  of?: string;
+  chosen: string;
+  choose: (value: string) => void;
+}) {
+  const { name, asks, values } = axisWords[axis];
+  const words: Record<string, [string, string]> = values;
+  return (
+    <fieldset class="axis">
+      <legend>
+        {name} {of} <span class="axis-asks">{asks}</span>
+      </legend>
+      {axisValues[axis].map((value) => {
+        const [word, effect] = words[value] ?? [value, ""];
+        return (
+          <label key={value}>
+            <input
+              type="radio"
+              name={group}
+              value={value}
+              checked={value === chosen}
+              onChange={() => choose(value)}
+            />
+            <span class="axis-word">{word}</span> <span class="axis-effect">{effect}</span>
+          </label>
+        );
+      })}
+    </fieldset>
+  );
+}

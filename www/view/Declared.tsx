@@ -1,0 +1,119 @@
+// The declared convention where it is neither preset: its own numbers, and what it multiplies.
+import type { ComponentChildren } from "preact";
+import type { Digits } from "../address.ts";
+import type { Engine, ReadReport, Rules, Side } from "../engine.ts";
+import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
+import { arrowOf, fiveWords, nameOf } from "./words.ts";
+
+export function DeclaredCard({
+  report,
+  engine,
+  digits,
+}: {
+  report: ReadReport;
+  engine: Engine;
+  digits: Digits;
+}) {
+  const { declared, rules } = report;
+  const name = nameOf(declared.convention, engine);
+  const act = (
+    <>
+      <var>q</var>∘<var>x</var>∘<var>q</var>
+      <sup>−1</sup>
+    </>
+  );
+  return (
+    <section class="card column declared" aria-labelledby="declared-name">
+      <header>
+        <h2 id="declared-name">{name ?? "Your convention"}</h2>
+        <span class="badge">as declared</span>
+        <p class="axes-words">{fiveWords(declared.convention)}</p>
+      </header>
+      <div class="declared-body">
+        <div>
+          <ComponentStrip
+            symbol="q"
+            name="q as declared"
+            components={declared.quaternion}
+            convention={declared.convention}
+            digits={digits}
+          />
+          <div class="rows">
+            <ArrayRow
+              name="x as declared"
+              symbol={act}
+              numbers={declared.image}
+              digits={digits}
+              note={`the coordinates of x, ${arrowOf(rules.operator)}`}
+            />
+          </div>
+        </div>
+        <Matrix
+          name="matrix of q as declared"
+          symbol={<>{act} =</>}
+          caption={arrowOf(rules.operator)}
+          rows={declared.matrix}
+          digits={digits}
+        />
+        <RulesList rules={rules} />
+      </div>
+    </section>
+  );
+}
+
+/** What the convention multiplies in which order. */
+function RulesList({ rules }: { rules: Rules }) {
+  return (
+    <ul class="rules" aria-label="What this convention multiplies">
+      <li>
+        Components: {rules.isCanonical ? "those of Hamilton" : "the conjugate of Hamilton's"}.
+      </li>
+      <li>
+        By labels <Product left={<Q of="AB" />} right={<Q of="BC" />} side={rules.labelledFirst} />{" "}
+        is <Q of="AC" />.
+      </li>
+      <li>
+        A camera C on the body B:{" "}
+        <Product left={<Q of="WB" />} right={<Q of="BC" />} side={rules.chainFirst} /> is its
+        quaternion in the world.
+      </li>
+      <li>
+        A small turn: <Product left={<var>δq</var>} right={<var>q</var>} side={rules.increment} />.
+      </li>
+      <li>
+        The body's rate: <var>q̇</var> = {rules.isCanonical ? "½" : "−½"}{" "}
+        <Product left={<var>ω</var>} right={<var>q</var>} side={rules.bodyRate} />.
+      </li>
+    </ul>
+  );
+}
+
+function Q({ of }: { of: string }) {
+  return (
+    <>
+      <var>q</var>
+      <sub>{of}</sub>
+    </>
+  );
+}
+
+/** Two factors; `side` is where the first named one stands. */
+function Product({
+  left,
+  right,
+  side,
+}: {
+  left: ComponentChildren;
+  right: ComponentChildren;
+  side: Side;
+}) {
+  return side === "left" ? (
+    <span class="factors">
+      {left}∘{right}
+    </span>
+  ) : (
+    <span class="factors">
+      {right}∘{left}
+    </span>
+  );
+}

@@ -1,0 +1,63 @@
+// What a text was read as: a quaternion or another description of an attitude.
+import { type Digits, sequenceName } from "../address.ts";
+import type { ReadQuaternion } from "../engine.ts";
+import { shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { namesInOrder } from "./Value.tsx";
+import { arrowOf, operatorOf } from "./words.ts";
+
+const degrees = (radians: number) => Number(((radians * 180) / Math.PI).toPrecision(15));
+
+/** `Euler angles ZYX 30°, 20°, 10°` and the like; nothing for a quaternion, whose numbers follow. */
+export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; digits: Digits }) {
+  const { form } = quaternion;
+  switch (form.kind) {
+    case "quaternion":
+      return null;
+    case "axis-angle":
+      return (
+        <>
+          <code>{shownDegrees(degrees(form.angleRad), digits)}</code> about{" "}
+          <code>{shownAxis(form.axis, digits)}</code>:{" "}
+        </>
+      );
+    case "rotation-vector":
+      return (
+        <>
+          a rotation vector <code>{shownArray(form.vectorRad, digits)}</code> rad:{" "}
+        </>
+      );
+    case "euler-angles": {
+      const { sequence, anglesRad } = form;
+      const moving = sequence.frame === "intrinsic" ? "moving" : "fixed";
+      return (
+        <>
+          Euler angles {sequenceName(sequence)}, about the {moving} axes,{" "}
+          <code>{anglesRad.map((angle) => shownDegrees(degrees(angle), digits)).join(", ")}</code>:{" "}
+        </>
+      );
+    }
+    case "matrix":
+      return <>a matrix, {arrowOf(operatorOf(form.convention))}: </>;
+  }
+}
+
+/** How the text was read, and the four numbers in the declared convention. */
+export function NamedComponents({
+  quaternion,
+  digits,
+}: {
+  quaternion: ReadQuaternion;
+  digits: Digits;
+}) {
+  const { components, convention } = quaternion;
+  return (
+    <span class="named-components">
+      <FormWords quaternion={quaternion} digits={digits} />
+      {namesInOrder(convention).map((name) => (
+        <span key={name} class="read-as-part">
+          {name} <code>{shown(components[name], digits)}</code>
+        </span>
+      ))}
+    </span>
+  );
+}

@@ -1,0 +1,134 @@
+//! The edges of the core's gates: named conventions, what is no rotation, exact scales.
+
+mod common;
+
+use common::wasm_bindgen_test;
+use quatlas::nalgebra::Vector3;
+use quatlas::{
+    AxisVector, Convention, EulerSequence, IncrementSign, MatrixConvention, NoNearestRotation,
+    NoRotation, Rotation, TaggedMatrix, TaggedQuaternion,
+};
+
+/// The named conventions of the specification, section 2.5.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_named_convention_has_its_five_axes() {
+    let named = [
+        (
+            "hamilton",
+            Convention::HAMILTON,
+            "scalar-first right passive body-to-world local",
+        ),
+        (
+            "eigen",
+            Convention::HAMILTON_SCALAR_LAST,
+            "scalar-last right passive body-to-world local",
+        ),
+        (
+            "ros",
+            Convention::HAMILTON_SCALAR_LAST,
+            "scalar-last right passive body-to-world local",
+        ),
+        (
+            "jpl",
+            Convention::JPL,
+            "scalar-last left passive world-to-body local",
+        ),
+        (
+            "jpl-eq18",
+            Convention::JPL_BODY_TO_WORLD,
+            "scalar-last left passive body-to-world local",
+        ),
+        (
+            "my-lab",
+            Convention::MY_LAB,
+            "scalar-first right active world-to-body local",
+        ),
+    ];
+    for (name, convention, words) in named {
+        assert_eq!(convention.to_string(), words);
+        assert_eq!(name.parse(), Ok(convention));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_not_finite_is_no_rotation() {
+    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..3 {
+            let mut numbers = [0.1, 0.2, 0.3];
+            numbers[place] = wrong;
+            assert_eq!(Rotation::from_rotation_vector_rad(numbers), Err(NoRotation));
+            assert_eq!(Rotation::from_axis_angle(numbers, 1.0), Err(NoRotation));
+            let sequence = EulerSequence::AEROSPACE;
+            assert_eq!(Rotation::from_euler_rad(sequence, numbers), Err(NoRotation));
+            for reading in AxisVector::readings(numbers.into()) {
+                assert_eq!(reading.to_rotation(), Err(NoRotation), "{reading:?}");
+            }
+            let mut rows = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            rows[place][2 - place] = wrong;
+            let matrix = TaggedMatrix::from_rows(rows, MatrixConvention::BODY_TO_WORLD);
+            let nearest = Rotation::nearest_to_matrix(&matrix);
+            assert_eq!(nearest, Err(NoNearestRotation::NotFinite));
+        }
+        assert_eq!(
+            Rotation::from_axis_angle([0.0, 0.0, 1.0], wrong),
+            Err(NoRotation)
+        );
+        let q = TaggedQuaternion::new(1.0, wrong, 0.0, 0.0, Convention::JPL);
+        assert_eq!(Rotation::from_tagged(&q), Err(NoRotation));
+        assert_eq!(q.normalize(), None);
+        let unit = TaggedQuaternion::new(1.0, 0.0, 0.0, 0.0, Convention::JPL);
+        let turned = unit.plus([wrong, 0.0, 0.0], IncrementSign::Physical);
+        assert_eq!(turned, Err(NoRotation));
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn zero_is_no_rotation_and_has_no_inverse() {
+    let zero = TaggedQuaternion::new(0.0, 0.0, 0.0, 0.0, Convention::HAMILTON);
+    assert_eq!(Rotation::from_tagged(&zero), Err(NoRotation));
+    assert_eq!((zero.inverse(), zero.normalize()), (None, None));
+    assert_eq!(Rotation::from_axis_angle([0.0; 3], 1.0), Err(NoRotation));
+    let still = Rotation::from_rotation_vector_rad([0.0; 3]).expect("no turn");
+    assert_eq!(still, Rotation::identity());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_norm_that_is_a_power_of_two_costs_no_digit() {
+    let quaternion = |scale: f64| {
+        TaggedQuaternion::new(0.6 * scale, 0.0, -0.8 * scale, 0.0, Convention::HAMILTON)
+    };
+    for exponent in [-900, -3, 0, 1, 40, 900] {
+        let scale = 2.0_f64.powi(exponent);
+        let q = quaternion(scale);
+        assert_eq!(q.normalize(), Some(quaternion(1.0)));
+        assert_eq!(q.inverse(), Some(quaternion(1.0 / scale).conjugate()));
+        assert_eq!(q.norm(), scale);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn outer_angles_come_above_minus_pi_and_up_to_pi() {
+    // Half a turn about z is a yaw of π, never of −π, from either sign of the quaternion.
+    for sign in [1.0, -1.0] {
+        let q = TaggedQuaternion::new(0.0, 0.0, 0.0, sign, Convention::HAMILTON);
+        let half_turn = Rotation::from_tagged(&q).expect("not zero");
+        let [yaw, pitch, roll] = half_turn.euler(EulerSequence::AEROSPACE).angles_rad;
+        assert_eq!(
+            [yaw, pitch.abs(), roll.abs()],
+            [std::f64::consts::PI, 0.0, 0.0]
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn slerp_stays_at_its_ends() {
+    let from = Rotation::from_axis_angle([0.0, 0.0, 1.0], 0.4).expect("an axis");
+    let to = Rotation::from_axis_angle([0.0, 1.0, 0.0], 0.8).expect("an axis");
+    for t in [0.0, -3.0, f64::NAN, f64::NEG_INFINITY] {
+        assert_eq!(from.slerp(&to, t), from, "{t}");
+    }
+    for t in [1.0, 7.0, f64::INFINITY] {
+        let end = from.slerp(&to, t).body_to_world(Vector3::x());
+        assert!((end - to.body_to_world(Vector3::x())).amax() < 3e-16, "{t}");
+    }
+}

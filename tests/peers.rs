@@ -5,7 +5,7 @@
 mod common;
 
 use common::{nearest, wasm_bindgen_test};
-use quatlas::nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, UnitVector3, Vector3};
+use quatlas::nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use quatlas::{Convention, EulerSequence, MatrixConvention, Rotation, TaggedQuaternion};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -58,7 +58,8 @@ fn proper_euler_sequences_have_angles() {
     let angles = nearest(*attitude.matrix(), MatrixConvention::BODY_TO_WORLD)
         .euler(sequence)
         .angles_rad;
-    let turn = |axis: UnitVector3<f64>, angle| Rotation3::from_axis_angle(&axis, angle);
+    let turn =
+        |axis: quatlas::nalgebra::UnitVector3<f64>, angle| Rotation3::from_axis_angle(&axis, angle);
     let [a, b, c] = angles;
     let again =
         turn(Vector3::z_axis(), a) * turn(Vector3::y_axis(), b) * turn(Vector3::z_axis(), c);

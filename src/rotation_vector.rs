@@ -15,7 +15,7 @@
 //! add.
 
 use crate::rotation::{NoRotation, Rotation};
-use crate::scaling::Norm;
+use crate::scaling::{self, Norm};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use std::f64::consts::PI;
 
@@ -168,7 +168,7 @@ pub fn compose_rotation_vectors(
 /// The right Jacobian `J_r(v)` of the exponential: body rate from the rate of the vector,
 /// `ω_B = J_r v̇`.
 ///
-/// `I − (1−cos θ)/θ² K + (θ−sin θ)/θ³ K²` with `K = [v]×` (specification, FX-18);
+/// `I − (1−cos θ)/θ K + (1 − sin θ/θ) K²` with `K = [v/θ]×` (specification, FX-18);
 /// `Exp(v + ε) ≈ Exp(v) Exp(J_r ε)`.
 ///
 /// ```
@@ -181,14 +181,15 @@ pub fn compose_rotation_vectors(
 /// ```
 #[must_use]
 pub fn right_jacobian(vector_rad: &Vector3<f64>) -> Matrix3<f64> {
-    let angle = Norm::of(vector_rad.as_slice()).value();
-    let k = vector_rad.cross_matrix();
-    let half_sinc = if angle < 1e-8 {
-        0.5
-    } else {
-        libm::sin(angle / 2.0) / angle
+    let angle = Norm::of(vector_rad.as_slice()).value().min(f64::MAX);
+    let Some(axis) = scaling::direction(vector_rad) else {
+        return Matrix3::identity();
     };
-    Matrix3::identity() - k * (2.0 * half_sinc * half_sinc) + k * k * cubic_coefficient(angle)
+    // On the unit axis, as θ² of a long vector would be larger than any double.
+    let k = axis.cross_matrix();
+    let half_sine = libm::sin(angle / 2.0);
+    let linear = 2.0 * half_sine * (half_sine / angle);
+    Matrix3::identity() - k * linear + k * k * one_minus_sinc(angle)
 }
 
 /// The left Jacobian `J_l(v) = J_r(−v)`: world rate from the rate of the vector, `ω_W = J_l v̇`.
@@ -202,7 +203,7 @@ pub fn left_jacobian(vector_rad: &Vector3<f64>) -> Matrix3<f64> {
 /// The inverse of the right Jacobian: the rate of the vector from the body rate,
 /// `v̇ = J_r⁻¹ ω_B`.
 ///
-/// `I + K/2 + (1 − (θ/2) cot(θ/2))/θ² K²` (specification, FX-18). `None` within 1e-8 of 2π and its
+/// `I + θ/2 K + (1 − (θ/2) cot(θ/2)) K²` with `K = [v/θ]×` (specification, FX-18). `None` within 1e-8 of 2π and its
 /// multiples, where the Jacobian has no inverse, and for a vector whose length is not finite.
 #[must_use]
 pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>> {
@@ -211,8 +212,11 @@ pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>>
     if angle > PI && half_sine <= WHOLE_TURN_RAD / 2.0 {
         return None;
     }
-    let k = vector_rad.cross_matrix();
-    let inverse = Matrix3::identity() + k * 0.5 + k * k * cotangent_coefficient(angle);
+    let Some(axis) = scaling::direction(vector_rad) else {
+        return Some(Matrix3::identity());
+    };
+    let k = axis.cross_matrix();
+    let inverse = Matrix3::identity() + k * (angle / 2.0) + k * k * one_minus_half_cotangent(angle);
     let is_finite = inverse.iter().all(|entry| entry.is_finite());
     is_finite.then_some(inverse)
 }
@@ -224,12 +228,12 @@ pub fn left_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>> 
     right_jacobian_inverse(&-vector_rad)
 }
 
-/// `(θ − sin θ)/θ³`
-fn cubic_coefficient(angle: f64) -> f64 {
+/// `1 − sin(θ)/θ`
+fn one_minus_sinc(angle: f64) -> f64 {
     if angle >= SERIES_BELOW_RAD {
-        return (angle - libm::sin(angle)) / (angle * angle * angle);
+        return 1.0 - libm::sin(angle) / angle;
     }
-    // 1/3! − θ²/5! + θ⁴/7! − …; θ¹²/15! is below 2^-53 of the first.
+    // θ² (1/3! − θ²/5! + θ⁴/7! − …); θ¹²/15! is below 2^-53 of the first.
     let coefficients = [
         1.0 / 6.0,
         -1.0 / 120.0,
@@ -238,16 +242,17 @@ fn cubic_coefficient(angle: f64) -> f64 {
         1.0 / 39_916_800.0,
         -1.0 / 6_227_020_800.0,
     ];
-    polynomial(&coefficients, angle * angle)
+    let square = angle * angle;
+    square * polynomial(&coefficients, square)
 }
 
-/// `(1 − (θ/2) cot(θ/2))/θ²`
-fn cotangent_coefficient(angle: f64) -> f64 {
+/// `1 − (θ/2) cot(θ/2)`
+fn one_minus_half_cotangent(angle: f64) -> f64 {
     if angle >= SERIES_BELOW_RAD {
         let half = angle / 2.0;
-        return (1.0 - half / libm::tan(half)) / (angle * angle);
+        return 1.0 - half / libm::tan(half);
     }
-    // By the Bernoulli numbers, |B₂ₙ|/(2n)!.
+    // By the Bernoulli numbers, θ² Σ |B₂ₙ|/(2n)! θ²ⁿ⁻².
     let coefficients = [
         1.0 / 12.0,
         1.0 / 720.0,
@@ -257,7 +262,8 @@ fn cotangent_coefficient(angle: f64) -> f64 {
         691.0 / 1_307_674_368_000.0,
         1.0 / 74_724_249_600.0,
     ];
-    polynomial(&coefficients, angle * angle)
+    let square = angle * angle;
+    square * polynomial(&coefficients, square)
 }
 
 fn polynomial(coefficients: &[f64], x: f64) -> f64 {

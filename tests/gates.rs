@@ -3,11 +3,12 @@
 mod common;
 
 use common::wasm_bindgen_test;
-use quatlas::nalgebra::Vector3;
+use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     AxisVector, Convention, EulerSequence, IncrementSign, MatrixConvention, NoNearestRotation,
-    NoRotation, Rotation, TaggedMatrix, TaggedQuaternion,
+    NoRotation, Rotation, TaggedMatrix, TaggedQuaternion, right_jacobian, right_jacobian_inverse,
 };
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The named conventions of the specification, section 2.5.
 #[wasm_bindgen_test(unsupported = test)]
@@ -113,10 +114,7 @@ fn outer_angles_come_above_minus_pi_and_up_to_pi() {
         let q = TaggedQuaternion::new(0.0, 0.0, 0.0, sign, Convention::HAMILTON);
         let half_turn = Rotation::from_tagged(&q).expect("not zero");
         let [yaw, pitch, roll] = half_turn.euler(EulerSequence::AEROSPACE).angles_rad;
-        assert_eq!(
-            [yaw, pitch.abs(), roll.abs()],
-            [std::f64::consts::PI, 0.0, 0.0]
-        );
+        assert_eq!([yaw, pitch.abs(), roll.abs()], [PI, 0.0, 0.0]);
     }
 }
 
@@ -131,4 +129,34 @@ fn slerp_stays_at_its_ends() {
         let end = from.slerp(&to, t).body_to_world(Vector3::x());
         assert!((end - to.body_to_world(Vector3::x())).amax() < 3e-16, "{t}");
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_jacobian_has_an_inverse_everywhere_but_at_whole_turns() {
+    let along_x = |angle: f64| Vector3::new(angle, 0.0, 0.0);
+    for quarter_turns in [1.0, 2.0, 3.0, 5.0, 6.0] {
+        let v = along_x(quarter_turns * FRAC_PI_2);
+        let inverse = right_jacobian_inverse(&v).expect("no whole turn");
+        let product = right_jacobian(&v) * inverse;
+        assert!((product - Matrix3::identity()).amax() < 1e-14, "{v}");
+    }
+    for turns in [1.0, 2.0] {
+        let at = turns * TAU;
+        assert_eq!(right_jacobian_inverse(&along_x(at)), None);
+        assert_eq!(right_jacobian_inverse(&along_x(at + 0.9e-8)), None);
+        assert!(right_jacobian_inverse(&along_x(at - 1.1e-8)).is_some());
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn jacobians_of_tiny_and_of_long_vectors_are_numbers() {
+    for length in [5e-324, 1e-200, 1e-9, 1e9, 1e200, f64::MAX] {
+        let v = Vector3::new(length, -length, length);
+        let jacobian = right_jacobian(&v);
+        assert!(jacobian.iter().all(|entry| entry.is_finite()), "{jacobian}");
+        // Along the axis it changes nothing.
+        let axis = Vector3::new(1.0, -1.0, 1.0);
+        assert!((jacobian * axis - axis).amax() < 1e-15, "{jacobian}");
+    }
+    assert_eq!(right_jacobian(&Vector3::zeros()), Matrix3::identity());
 }

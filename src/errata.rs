@@ -14,9 +14,8 @@ pub use crate::errata_witness::{Sides, Witness};
 
 /// One of the documents that equations are cited from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
-pub enum Document {
+pub enum SourceDocument {
     /// *Cheng 2018*.
     Cheng2018,
     /// *Yoosefian 2021*.
@@ -27,7 +26,7 @@ pub enum Document {
     FieldGuide,
 }
 
-impl Document {
+impl SourceDocument {
     /// All four, in the order of their errata.
     pub const ALL: [Self; 4] = [
         Self::Cheng2018,
@@ -59,14 +58,13 @@ impl Document {
 
 /// A statement that does not hold as it is printed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Erratum {
     /// 4 for E4.
     pub number: u8,
     /// The specification's name of the statement.
     pub id: &'static str,
     /// Where it is printed ...
-    pub document: Document,
+    pub document: SourceDocument,
     /// ... and where in it.
     pub place: &'static str,
     /// The statement as it is printed, as one line of text; *in words* where it is no formula.
@@ -98,7 +96,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 1,
             id: "000-S2.2.J",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "section 2.2 and the tag of eq. 2.3",
             printed: "ji = −ji = k",
             reason: "The same product stands with both signs, so that k would be −k.",
@@ -108,7 +106,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 2,
             id: "000-2.6",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "eq. 2.6",
             printed: "q* = q_w − q_v = [q_w ; q_v]",
             reason: "The column is q itself for want of a minus sign, and q ∘ q is not a number.",
@@ -118,7 +116,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 3,
             id: "000-S2.3.p",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "section 2.3, after eq. 2.12",
             printed: "q(φ + 2πk) = q(φ) for every integer k (in words)",
             reason: "The components are those of half the angle: a full turn leads to −q, which is \
@@ -129,7 +127,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 4,
             id: "000-2.16",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "eq. 2.16",
             printed: "R(q) = (q_w² − 1) I + 2 q_v q_vᵀ + 2 q_w [q_v]×",
             reason: "The square lacks its factor 2, which leaves R(q) − q_w² I: no rotation.",
@@ -139,7 +137,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 5,
             id: "000-2.17",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "eq. 2.17",
             printed: "C(q) = (q_w² − 1) I + 2 q_v q_vᵀ − 2 q_w [q_v]×",
             reason: "The square lacks its factor 2, as in eq. 2.16.",
@@ -149,7 +147,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 6,
             id: "000-2.40",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "eq. 2.40",
             printed: "C(q_w^i) = C(q_i^î) C(q_w^î), q_w^i = q_i^î ⊗ q_w^î",
             reason: "From w by way of î to i (eqs. 2.25 and 2.26) the last step is q_î^i; its inverse \
@@ -160,7 +158,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 7,
             id: "000-2.41",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "eq. 2.41",
             printed: "R(q_w^i) = R(q_w^î) R(q_i^î), q_w^i = q_w^î ⊙ q_i^î",
             reason: "The frames of the error are exchanged as in eq. 2.40 (here eqs. 2.23 and 2.24 \
@@ -171,7 +169,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 8,
             id: "000-2.41n",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "section 2.7, last sentence",
             printed: "δq = q_i^î",
             reason: "By eq. 2.28 δq is q̂* ⊙ q, and this is the inverse of what is printed.",
@@ -181,7 +179,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 9,
             id: "000-B",
-            document: Document::Cheng2018,
+            document: SourceDocument::Cheng2018,
             place: "appendix B, listing",
             printed: "R(1,2) = tyz − twz, R(2,0) = txz − twz, R(2,1) = tyz + twz",
             reason: "Three entries take the product of w with z where those with x, y and x belong, \
@@ -192,7 +190,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 10,
             id: "002-S2.4",
-            document: Document::Yoosefian2021,
+            document: SourceDocument::Yoosefian2021,
             place: "section 2, path from G by I₁, C₁ and C₂ to I₂",
             printed: "ᴳp_I2 = ᴳp_I1 + ᴳR_I1 ᴵp_C + ᴳR_C1 ᶜ¹p_C2 − ᴳR_C2 ᴵp_C",
             reason: "In the last term a matrix that takes coordinates in C is given some in I.",
@@ -203,7 +201,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 11,
             id: "002-9",
-            document: Document::Yoosefian2021,
+            document: SourceDocument::Yoosefian2021,
             place: "eq. 9",
             printed: "Ω(ω) q = q ⊗ [ω ; 0]",
             reason: "The product and the place of the scalar are JPL's, while the matrix of eq. 10 \
@@ -214,7 +212,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 12,
             id: "003-S2.1.c",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 2.1",
             printed: "each column of R has length 1 ⇒ det R = ±1",
             reason: "Columns of length 1 may lie in a plane or on a line; that they are also \
@@ -225,7 +223,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 13,
             id: "003-S4.d",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 4, products of the units",
             printed: "k·i = −k·i = j",
             reason: "The factors of the second product are not exchanged, so that j would be −j.",
@@ -235,7 +233,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 14,
             id: "003-S4.2.c",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 4.2, before the display of p′",
             printed: "p′ = R(θ) p for the components of p in a frame turned by θ",
             reason: "R(θ) turns the vector; when the frame turns, the components turn the other way.",
@@ -245,7 +243,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 15,
             id: "003-S4.2.f",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 4.2, why there are two factors",
             printed: "Q·P is P turned and stretched, and ·Q⁻¹ undoes the stretching (in words)",
             reason: "A product with a unit quaternion keeps all lengths; Q·P leaves the vectors for \
@@ -257,7 +255,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 16,
             id: "003-S4.2.i",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 4.2",
             printed: "(q₀, q) = (−q₀, −q)",
             reason: "Only zero is its own opposite; what is equal are the rotations.",
@@ -267,7 +265,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 17,
             id: "003-S5.1.1.b",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 5.1.1",
             printed: "z_ab = [0 0 0]ᵀ",
             reason: "An axis has length 1, as in the matrix that is printed next.",
@@ -277,7 +275,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 18,
             id: "003-S5.1.3.b",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 5.1.3",
             printed: "P_b = Q_ab P_a Q_ab⁻¹ = (0; 1, 0, 0)",
             reason: "This product turns p_a on by 45°; coordinates in the turned frame need the \
@@ -288,7 +286,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 19,
             id: "003-S5.2.3",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 5.2, listing: test of a rotation matrix",
             printed: "max(RᵀR − I) < 10⁻¹² and det R − 1 < 10⁻¹²",
             reason: "Without absolute values everything that is too small passes, zero included.",
@@ -298,7 +296,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 20,
             id: "003-S5.2.9",
-            document: Document::Me495Lecture,
+            document: SourceDocument::Me495Lecture,
             place: "section 5.2, listing: rotation matrix to axis and angle",
             printed: "θ = arccos((tr R − 1)/2), w = (r₃₂ − r₂₃, r₁₃ − r₃₁, r₂₁ − r₁₂)/(2 sin θ); not \
                       finite ⇒ θ = 0",
@@ -311,7 +309,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 21,
             id: "004-T1n",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "table 1, footnote",
             printed: "3³ = 27 orderings of Euler angles, of which many are redundant (in words)",
             reason: "In 15 of the strings an axis follows itself, so that they reach only a curve or \
@@ -322,7 +320,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 22,
             id: "004-D.2",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "notions of distance",
             printed: "symmetry: dist(a, b) ≥ dist(b, a)",
             reason: "For one order of a and b it lets the way back be shorter, and only demanded of \
@@ -333,7 +331,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 23,
             id: "004-EU.6",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "Euler angles, intrinsic and extrinsic",
             printed: "R₂¹ = (R₁⁰)⁻¹ R₂⁰ R₁⁰, R₂⁰ = R₁⁰ R₂¹ = R₂⁰ R₁⁰",
             reason: "R₂⁰ is the whole rotation on the left and only the second one on the right; if \
@@ -345,7 +343,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 24,
             id: "004-RO.13",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "Rodrigues, strengths",
             printed: "rotation vectors are the Lie group SO(3) (in words)",
             reason: "They are its Lie algebra: their sum is not the composition, and many of them \
@@ -356,7 +354,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 25,
             id: "004-Q.1",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "quaternions to rotation matrix, body to world",
             printed: "C_H = (q_w² − 1) I + 2 q_w [q_v]× + 2 q_v q_vᵀ",
             reason: "The square lacks its factor 2, so that the elements printed beside it differ.",
@@ -366,7 +364,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 26,
             id: "004-Q.3",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "quaternions to rotation matrix, world to body, active",
             printed: "C_S = (q_w² − 1) I − 2 q_w [q_v]× + 2 q_v q_vᵀ",
             reason: "The square lacks its factor 2, so that the elements printed beside it differ.",
@@ -376,7 +374,7 @@ pub fn errata() -> [Erratum; 27] {
         Erratum {
             number: 27,
             id: "004-Q.23",
-            document: Document::FieldGuide,
+            document: SourceDocument::FieldGuide,
             place: "quaternions, strengths",
             printed: "a minimal representation without singularities (in words)",
             reason: "A rotation has three degrees of freedom and a quaternion four numbers; the guide \

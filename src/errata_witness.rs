@@ -10,7 +10,6 @@ use serde::Serialize;
 
 /// A statement as it is printed and as it should be, evaluated for one example.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Witness {
     /// The input, in words and numbers.
@@ -42,7 +41,6 @@ impl Witness {
 /// A matrix is told row by row, a quaternion as w, x, y, z; of several equations the numbers follow
 /// each other. No number is −0.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Sides {
     /// The left-hand sides.
     pub left: Vec<f64>,

@@ -215,7 +215,7 @@ pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
-pub use errata::{Document, Erratum, Witness, errata};
+pub use errata::{Erratum, SourceDocument, Witness, errata};
 pub use euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};

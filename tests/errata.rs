@@ -6,7 +6,7 @@ mod common;
 use common::{assert_close, wasm_bindgen_test};
 use quatlas::errata::{CORRECTED_TOLERANCE, Sides};
 use quatlas::nalgebra::{Matrix3, Vector3};
-use quatlas::{Document, Erratum, Witness, errata};
+use quatlas::{Erratum, SourceDocument, Witness, errata};
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -53,7 +53,7 @@ fn there_are_27_in_the_order_of_their_numbers_and_documents() {
     assert_eq!(numbers, (1..=27).collect::<Vec<u8>>());
     let ids: BTreeSet<&str> = all.iter().map(|erratum| erratum.id).collect();
     assert_eq!(ids.len(), 27, "{ids:?}");
-    let counts = Document::ALL.map(|document| {
+    let counts = SourceDocument::ALL.map(|document| {
         let of_it = |erratum: &&Erratum| erratum.document == document;
         all.iter().filter(of_it).count()
     });
@@ -61,7 +61,9 @@ fn there_are_27_in_the_order_of_their_numbers_and_documents() {
     // The ids begin with the number of the document.
     let prefixes = ["000-", "002-", "003-", "004-"];
     for erratum in &all {
-        let place = Document::ALL.iter().position(|it| *it == erratum.document);
+        let place = SourceDocument::ALL
+            .iter()
+            .position(|it| *it == erratum.document);
         let prefix = prefixes[place.expect("one of four")];
         assert!(erratum.id.starts_with(prefix), "{}", erratum.id);
     }
@@ -335,10 +337,16 @@ fn e27_four_numbers_move_in_three_directions() {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_document_is_cited_by_its_title() {
     for (document, title) in [
-        (Document::Cheng2018, "Standardised Use of Quaternion"),
-        (Document::Yoosefian2021, "A Concise Note on Coordinate"),
-        (Document::Me495Lecture, "Quaternions and More Geometry"),
-        (Document::FieldGuide, "A Robotics Field Guide"),
+        (SourceDocument::Cheng2018, "Standardised Use of Quaternion"),
+        (
+            SourceDocument::Yoosefian2021,
+            "A Concise Note on Coordinate",
+        ),
+        (
+            SourceDocument::Me495Lecture,
+            "Quaternions and More Geometry",
+        ),
+        (SourceDocument::FieldGuide, "A Robotics Field Guide"),
     ] {
         assert!(document.citation().contains(title), "{document:?}");
     }

@@ -52,6 +52,28 @@ impl AxisVector {
         ]
     }
 
+    /// The reading of three numbers that comes nearest to the turn that a program made of them, and
+    /// how far away that turn is, in radians.
+    ///
+    /// (0, 0, 0.1) alone says nothing; that a program turns by 0.19934 rad for it says Gibbs
+    /// (specification, FX-19). `None` for numbers that are not finite.
+    ///
+    /// ```
+    /// use quatlas::{AxisVector, Rotation, nalgebra::Vector3};
+    /// let numbers = Vector3::new(0.0, 0.0, 0.1);
+    /// let turned = Rotation::from_axis_angle([0.0, 0.0, 1.0], 0.199_34)?;
+    /// let (reading, _) = AxisVector::recognize(numbers, &turned).expect("finite");
+    /// assert_eq!(reading, AxisVector::Gibbs(numbers));
+    /// # Ok::<(), quatlas::NoRotation>(())
+    /// ```
+    #[must_use]
+    pub fn recognize(numbers: Vector3<f64>, turned: &Rotation) -> Option<(Self, f64)> {
+        Self::readings(numbers)
+            .into_iter()
+            .filter_map(|reading| Some((reading, reading.to_rotation().ok()?.angle_to_rad(turned))))
+            .min_by(|(_, left), (_, right)| left.total_cmp(right))
+    }
+
     /// The attitude that the vector describes.
     ///
     /// # Errors

@@ -140,6 +140,9 @@ fn which_vector_along_the_axis_a_library_means_is_told_by_its_angle() {
             CLOSE,
         );
         assert_close("as printed", &[angle], &[rounded], 5e-6);
+        let turned = Rotation::from_axis_angle([0.0, 0.0, 1.0], rounded).expect("an axis");
+        let told = AxisVector::recognize(Vector3::new(0.0, 0.0, 0.1), &turned);
+        assert_eq!(told.map(|(told, _)| told), Some(reading));
         assert_same(
             "about z",
             &turn.body_to_world_matrix(),

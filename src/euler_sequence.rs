@@ -15,6 +15,7 @@
 //! never the angles.
 
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
 use std::str::FromStr;
 
@@ -203,6 +204,18 @@ impl EulerSequence {
         of(EulerFrame::Intrinsic)
             .into_iter()
             .chain(of(EulerFrame::Extrinsic))
+    }
+
+    /// The two middle angles, in radians, at which the outer axes are one line: gimbal lock.
+    ///
+    /// 0 and π where the outer axes are the same, π/2 and −π/2 where they differ.
+    #[must_use]
+    pub const fn locks_rad(self) -> [f64; 2] {
+        if self.is_proper() {
+            [0.0, PI]
+        } else {
+            [FRAC_PI_2, -FRAC_PI_2]
+        }
     }
 
     /// The place of the angle that is set to 0 at gimbal lock: that about the body's own axis, the

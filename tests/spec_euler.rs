@@ -247,12 +247,7 @@ fn angles_to_and_from_the_rotation_vector_and_the_components() {
 #[wasm_bindgen_test(unsupported = test)]
 fn gimbal_lock_is_named_and_resolved_in_all_24_sequences() {
     for sequence in EulerSequence::all() {
-        let locks = if sequence.is_proper() {
-            [0.0, PI]
-        } else {
-            [FRAC_PI_2, -FRAC_PI_2]
-        };
-        for middle in locks {
+        for middle in sequence.locks_rad() {
             let [first, third] = [0.9, -0.3];
             let r = product(sequence, [first, middle, third]);
             let moved = |sign: f64| product(sequence, [first + 0.4, middle, third + sign * 0.4]);

@@ -8,7 +8,6 @@ use common::{assert_close, integrated_entries, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{EulerFrame, EulerSequence, RateAxes};
 use reference::{CLOSE, SLOPE, assert_order, assert_same, elementary, slope, unskew};
-use std::f64::consts::{FRAC_PI_2, PI};
 
 const ANGLES: [[f64; 3]; 3] = [[0.7, 0.4, 1.1], [-2.1, 1.3, 0.2], [3.0, 0.9, -1.7]];
 const RATES: [f64; 3] = [0.2, -0.5, 0.9];
@@ -99,12 +98,7 @@ fn the_rates_of_yaw_pitch_and_roll_by_the_printed_formulas() {
 #[wasm_bindgen_test(unsupported = test)]
 fn at_the_lock_the_rates_are_refused() {
     for sequence in EulerSequence::all() {
-        let locks = if sequence.is_proper() {
-            [0.0, PI]
-        } else {
-            [FRAC_PI_2, -FRAC_PI_2]
-        };
-        for middle in locks {
+        for middle in sequence.locks_rad() {
             let angles = [0.9, middle, -0.3];
             for axes in [RateAxes::Body, RateAxes::World] {
                 let map = sequence.rate_matrix(angles, axes).expect("finite");

@@ -50,14 +50,16 @@ fn is_right(tau: f64, axes: Perturbation) -> bool {
     (tau > 0.0) == (axes == Perturbation::Local)
 }
 
+/// Rotation vectors, each with all 32 conventions.
+fn turns_in_every_convention() -> impl Iterator<Item = (Vector3<f64>, Convention)> {
+    let with = |v| move |convention| (v, convention);
+    turns().flat_map(move |v| all_conventions().into_iter().map(with(v)))
+}
+
 /// MODEL-06, FX-24, and the columns ⊕ and ⊖ of tables 2.2 and 2.4
 #[wasm_bindgen_test(unsupported = test)]
 fn a_physical_increment_of_a_quaternion_turns_the_body() {
-    for (v, convention) in turns().flat_map(|v| {
-        all_conventions()
-            .into_iter()
-            .map(move |convention| (v, convention))
-    }) {
+    for (v, convention) in turns_in_every_convention() {
         let what = convention.to_string();
         let before = tagged(convention, &v);
         let after = before.plus(DELTA, IncrementSign::Physical).expect("finite");
@@ -102,11 +104,7 @@ fn a_physical_increment_of_a_quaternion_turns_the_body() {
 /// MODEL-07 for quaternions: `θ_formal = σδ`, and with it the sign-free products.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_formal_increment_of_a_quaternion_is_the_physical_one_times_sigma() {
-    for (v, convention) in turns().flat_map(|v| {
-        all_conventions()
-            .into_iter()
-            .map(move |convention| (v, convention))
-    }) {
+    for (v, convention) in turns_in_every_convention() {
         let what = convention.to_string();
         let before = tagged(convention, &v);
         let after = before.plus(DELTA, IncrementSign::Formal).expect("finite");

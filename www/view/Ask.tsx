@@ -4,6 +4,7 @@ import { useId, useRef } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
+import { MoreAxes } from "./Axes.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 /** A field for text in any form, with the place of a problem marked in the text itself. */
@@ -45,13 +46,42 @@ export function TextField({ store, field }: { store: Store; field: Field }) {
   );
 }
 
+/** What is asked beside the rotations: the vector, the decimals, the axes; and what is said of all. */
+export function AskRest({
+  store,
+  freshness,
+  examples,
+  children,
+}: {
+  store: Store;
+  /** Of the result below. */
+  freshness: Freshness | undefined;
+  examples?: ComponentChildren;
+  /** How the texts were read. */
+  children: ComponentChildren;
+}) {
+  return (
+    <>
+      <div class="ask-row">
+        <TextField store={store} field="vector" />
+        <DigitsSwitch store={store} />
+      </div>
+      {examples}
+      <MoreAxes store={store} />
+      <AskStatus store={store} freshness={freshness}>
+        {children}
+      </AskStatus>
+    </>
+  );
+}
+
 const problemId = (field: Field) => `problem-${field}`;
 
 /**
  * What is said about the texts: how they were read, or what stands in the way. One place for both,
  * so that nothing moves while a text is typed.
  */
-export function AskStatus({
+function AskStatus({
   store,
   freshness,
   children,
@@ -142,7 +172,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
 const digitChoices: Digits[] = ["4", "6", "all"];
 
 /** Chooses how many decimals are shown. */
-export function DigitsSwitch({ store }: { store: Store }) {
+function DigitsSwitch({ store }: { store: Store }) {
   const { digits: chosen } = store.state.value;
   return (
     <fieldset class="digits">

@@ -3,8 +3,7 @@ import type { Digits } from "../address.ts";
 import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
-import { MoreAxes } from "./Axes.tsx";
+import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
@@ -23,12 +22,7 @@ export function Compose({ store }: { store: Store }) {
           </div>
           <ConventionSwitch store={store} />
         </div>
-        <div class="ask-row">
-          <TextField store={store} field="vector" />
-          <DigitsSwitch store={store} />
-        </div>
-        <MoreAxes store={store} />
-        <AskStatus store={store} freshness={shownResult?.freshness}>
+        <AskRest store={store} freshness={shownResult?.freshness}>
           {shownResult && (
             <div class="read-as">
               <p>
@@ -40,7 +34,7 @@ export function Compose({ store }: { store: Store }) {
               <Notes notes={shownResult.report.notes} digits={digits} />
             </div>
           )}
-        </AskStatus>
+        </AskRest>
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>

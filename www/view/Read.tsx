@@ -3,8 +3,7 @@ import { type Digits, type Preset, toFragment } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, ConventionSwitch, DigitsSwitch, TextField } from "./Ask.tsx";
-import { MoreAxes } from "./Axes.tsx";
+import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { ConventionColumn } from "./Column.tsx";
 import { DeclaredCard } from "./Declared.tsx";
 import { Facts } from "./Facts.tsx";
@@ -23,15 +22,13 @@ export function Read({ store }: { store: Store }) {
           <TextField store={store} field="quaternion" />
           <ConventionSwitch store={store} />
         </div>
-        <div class="ask-row">
-          <TextField store={store} field="vector" />
-          <DigitsSwitch store={store} />
-        </div>
-        <Examples store={store} />
-        <MoreAxes store={store} />
-        <AskStatus store={store} freshness={shownResult?.freshness}>
+        <AskRest
+          store={store}
+          freshness={shownResult?.freshness}
+          examples={<Examples store={store} />}
+        >
           {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
-        </AskStatus>
+        </AskRest>
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>

@@ -130,6 +130,7 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
         p: p.as_read(),
         q: q.as_read(),
         vector: coordinates(&vector),
+        declared: composition.declared,
         products: composition.products,
         order_matters: composition.order_matters,
         notes,

@@ -5,7 +5,7 @@
 //! first is another question; its answer depends on the direction.
 
 use crate::attitude::Attitude;
-use crate::convention::{Convention, Direction, Handedness};
+use crate::convention::{ComponentSign, Convention, Direction, Handedness};
 use crate::quaternion;
 use crate::report::{
     Components, Frame, Operand, OrderMatters, OutOfRange, OutOfRangeNumber, Product, coordinates,
@@ -21,85 +21,145 @@ const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * UNIT_ROUNDOFF;
 /// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p, in this order.
 const PRODUCTS: usize = 4;
 
-/// The four products and what they have in common.
+/// The products and what they have in common.
 pub(crate) struct Composition {
+    /// `p∘q` in the declared convention.
+    pub(crate) declared: Product,
     pub(crate) products: Vec<Product>,
     pub(crate) order_matters: OrderMatters,
     /// Present where the quaternions as typed have a product that a double cannot hold.
     pub(crate) out_of_range: Option<OutOfRange>,
 }
 
-/// Every product is taken in the preset of its own hand.
+/// Every product is taken in the convention it is for, of the same two attitudes.
 pub(crate) fn compose(p: &Attitude, q: &Attitude, vector: Vector3<f64>) -> Composition {
-    let is_representable = |hand, left: &Attitude, right: &Attitude| {
-        let (left, right) = (&left.tagged.components, &right.tagged.components);
-        quaternion::representable_product(hand, left, right).is_some()
-    };
-    let as_typed = Handedness::ALL
-        .iter()
-        .all(|&hand| is_representable(hand, p, q) && is_representable(hand, q, p));
-
     let unit = |attitude: &Attitude| attitude.rotation.to_tagged(Convention::HAMILTON).components;
     let order_matters = order_matters(&unit(p), &unit(q));
-    let mut products = Vec::with_capacity(PRODUCTS);
-    for preset in [Convention::HAMILTON, Convention::JPL] {
-        for (left, right) in [(Operand::P, Operand::Q), (Operand::Q, Operand::P)] {
-            let pick = |operand| match operand {
-                Operand::P => p,
-                Operand::Q => q,
-            };
-            let shown = |operand| {
-                let attitude = pick(operand);
-                let quaternion = if as_typed {
-                    attitude.tagged
-                } else {
-                    attitude.rotation.to_tagged(preset)
-                };
-                quaternion.to_convention(preset).components
-            };
-            let product = quaternion::product(preset.handedness, &shown(left), &shown(right));
-            let (first, second) = (pick(right).rotation, pick(left).rotation);
-            let direction = preset.operator();
-            // Of the matrices of either direction, M(left) M(right).
-            let both = match direction {
-                Direction::BodyToWorld => second * first,
-                Direction::WorldToBody => first * second,
-            };
-            let place = products.len();
-            products.push(Product {
-                convention: preset,
-                left,
-                right,
-                quaternion: Components::of(&product, preset.order),
-                matrix: rows3(&both.matrix(direction)),
-                images: first
-                    .rotate_within_range(vector, direction)
-                    .zip(both.rotate_within_range(vector, direction))
-                    .map(|(first, second)| [coordinates(&first), coordinates(&second)]),
-                direction,
-                frames: frames(direction),
-                first_about_fixed_axes: match direction {
-                    Direction::BodyToWorld => right,
-                    Direction::WorldToBody => left,
-                },
-                // p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4), and these are the first
-                // and the last; the others are the same only where p and q commute.
-                equal_to: (0..PRODUCTS)
-                    .filter(|&other| {
-                        order_matters == OrderMatters::No
-                            || other == place
-                            || other + place == PRODUCTS - 1
-                    })
-                    .collect(),
-            });
-        }
+    let pair = Pair {
+        p,
+        q,
+        vector,
+        numbers: Numbers::of(p, q),
+    };
+    let mut products: Vec<Product> = [Convention::HAMILTON, Convention::JPL]
+        .into_iter()
+        .flat_map(|preset| {
+            [(Operand::P, Operand::Q), (Operand::Q, Operand::P)]
+                .map(|(left, right)| pair.product(preset, left, right))
+        })
+        .collect();
+    let mut declared = pair.product(p.tagged.convention, Operand::P, Operand::Q);
+    // Two products have the same numbers where the signs of their conventions agree and they are the
+    // same attitude: p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4), the others only where
+    // p and q commute.
+    let kinds: Vec<_> = products.iter().map(kind).collect();
+    let equal_to = |(sign, first): (ComponentSign, Operand)| -> Vec<usize> {
+        (0..PRODUCTS)
+            .filter(|&other| {
+                let (other_sign, other_first) = kinds[other];
+                let same_attitude = other_first == first || order_matters == OrderMatters::No;
+                other_sign == sign && same_attitude
+            })
+            .collect()
+    };
+    for product in products.iter_mut().chain([&mut declared]) {
+        product.equal_to = equal_to(kind(product));
     }
     Composition {
-        order_matters,
+        declared,
         products,
-        out_of_range: (!as_typed).then_some(OutOfRange {
+        order_matters,
+        out_of_range: (pair.numbers == Numbers::OfNorm1).then_some(OutOfRange {
             what: OutOfRangeNumber::Product,
         }),
+    }
+}
+
+/// The sign of a product's components, and the operand whose turn comes first about fixed axes.
+const fn kind(product: &Product) -> (ComponentSign, Operand) {
+    (
+        product.convention.component_sign(),
+        product.first_about_fixed_axes,
+    )
+}
+
+/// Which numbers of the operands are multiplied.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    AsTyped,
+    /// Those of norm 1, where the product of those typed is beyond a double.
+    OfNorm1,
+}
+
+impl Numbers {
+    fn of(p: &Attitude, q: &Attitude) -> Self {
+        let is_representable = |hand, left: &Attitude, right: &Attitude| {
+            let (left, right) = (&left.tagged.components, &right.tagged.components);
+            quaternion::representable_product(hand, left, right).is_some()
+        };
+        let all = Handedness::ALL
+            .iter()
+            .all(|&hand| is_representable(hand, p, q) && is_representable(hand, q, p));
+        if all { Self::AsTyped } else { Self::OfNorm1 }
+    }
+}
+
+struct Pair<'a> {
+    p: &'a Attitude,
+    q: &'a Attitude,
+    vector: Vector3<f64>,
+    numbers: Numbers,
+}
+
+impl Pair<'_> {
+    fn attitude(&self, operand: Operand) -> &Attitude {
+        match operand {
+            Operand::P => self.p,
+            Operand::Q => self.q,
+        }
+    }
+
+    fn components(&self, operand: Operand, convention: Convention) -> Quaternion<f64> {
+        let attitude = self.attitude(operand);
+        let quaternion = match self.numbers {
+            Numbers::AsTyped => attitude.tagged.to_convention(convention),
+            Numbers::OfNorm1 => attitude.rotation.to_tagged(convention),
+        };
+        quaternion.components
+    }
+
+    /// `left∘right` in a convention; what it is equal to is not known yet.
+    fn product(&self, convention: Convention, left: Operand, right: Operand) -> Product {
+        let product = quaternion::product(
+            convention.handedness,
+            &self.components(left, convention),
+            &self.components(right, convention),
+        );
+        let direction = convention.operator();
+        let (first, second) = (self.attitude(right).rotation, self.attitude(left).rotation);
+        // Of the matrices of either direction, M(left) M(right).
+        let both = match direction {
+            Direction::BodyToWorld => second * first,
+            Direction::WorldToBody => first * second,
+        };
+        Product {
+            convention,
+            left,
+            right,
+            quaternion: Components::of(&product, convention.order),
+            matrix: rows3(&both.matrix(direction)),
+            images: first
+                .rotate_within_range(self.vector, direction)
+                .zip(both.rotate_within_range(self.vector, direction))
+                .map(|(first, second)| [coordinates(&first), coordinates(&second)]),
+            direction,
+            frames: frames(direction),
+            first_about_fixed_axes: match direction {
+                Direction::BodyToWorld => right,
+                Direction::WorldToBody => left,
+            },
+            equal_to: Vec::new(),
+        }
     }
 }
 

@@ -71,6 +71,8 @@ pub struct ComposeReport {
     pub q: ReadQuaternion,
     /// The vector `x` as it was read.
     pub vector: [f64; 3],
+    /// `p∘q` in the declared convention, whichever of the 32 it is.
+    pub declared: Product,
     /// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p.
     pub products: Vec<Product>,
     /// Whether the order of the two matters.
@@ -121,7 +123,7 @@ pub enum Frame {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Product {
-    /// Hamilton, whose product is ⊙, or JPL, whose product is ⊗.
+    /// The convention of the product, ⊙ for the right hand and ⊗ for the left.
     pub convention: Convention,
     /// The operand on the left of the sign.
     pub left: Operand,
@@ -129,7 +131,7 @@ pub struct Product {
     pub right: Operand,
     /// The product.
     pub quaternion: Components,
-    /// R(left ⊙ right) = R(left) R(right), or C(left ⊗ right) = C(left) C(right).
+    /// R(left ⊙ right) = R(left) R(right) for Hamilton, C(left ⊗ right) = C(left) C(right) for JPL.
     pub matrix: [[f64; 3]; 3],
     /// `x` after the right operand, then after both; absent where a double cannot hold it.
     pub images: Option<[[f64; 3]; 2]>,
@@ -140,7 +142,7 @@ pub struct Product {
     /// The operand whose turn comes first when every turn is about the fixed axes; about the
     /// moving axes it is the other one.
     pub first_about_fixed_axes: Operand,
-    /// The places in the list of products that have the same quaternion, this one included.
+    /// The places in the list of products that have the same numbers, its own included.
     pub equal_to: Vec<usize>,
 }
 

@@ -147,3 +147,30 @@ fn a_product_beyond_a_double_is_that_of_the_unit_quaternions_and_said() {
         matches!(&note.fact, Fact::OutOfRange(fact) if fact.what == OutOfRangeNumber::Product)
     }));
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_declared_product_is_in_the_declared_convention() {
+    // Left, body to world: by its own product (1 + 2i + 3j + 4k) ⊗ (1 + i) = −1 + 3i − j + 7k.
+    let declared = Convention::JPL_BODY_TO_WORLD;
+    let report = compose("1 + 2i + 3j + 4k", "1 + i", "1 0 0", declared);
+    let product = &report.declared;
+    assert_eq!(product.quaternion.array, [3.0, -1.0, 7.0, -1.0]);
+    assert_eq!(
+        (product.convention, product.direction),
+        (declared, Direction::BodyToWorld)
+    );
+    // Its numbers are the conjugates of Hamilton's p ⊙ q, so it equals none of the four ...
+    assert_eq!(product.equal_to, Vec::<usize>::new());
+    let hamilton = &report.products[0].quaternion;
+    assert_eq!(
+        [hamilton.w, hamilton.x, hamilton.y, hamilton.z],
+        [-1.0, -3.0, 1.0, -7.0]
+    );
+    // ... but its matrix is that of p ⊙ q.
+    assert_eq!(product.matrix, report.products[0].matrix);
+
+    for (preset, place) in [(Convention::HAMILTON, 0), (Convention::JPL, 2)] {
+        let report = compose("1 2 3 4", "5 6 7 8", "1 0 0", preset);
+        assert_eq!(report.declared, report.products[place]);
+    }
+}

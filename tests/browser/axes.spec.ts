@@ -143,8 +143,16 @@ test("an address restores axes, matrix and sequence", async ({ page }) => {
 test("Compose takes other descriptions and other conventions", async ({ page }) => {
   await page.goto("/#compose?p=90%C2%B0+about+z&q=90%C2%B0+about+x&direction=world-to-body");
   await expect(page.locator(".read-as").first()).toContainText("90° about z");
-  // Right, passive, world to body: p acts like the JPL quaternion of the same attitude.
-  await expect(page.locator(".road h2")).toContainText("p ⊗ q");
+  // Right, passive, world to body: p ⊙ q leads from the world over B to B′.
+  const road = page.locator(".road");
+  await expect(road.locator("h2")).toHaveText("p ⊙ q: first q, then p");
+  await expect(road.locator(".road-frame").first()).toHaveText("x on the axes of W");
+  // JPL of Yoosefian's eq. 18: (1 + 2i + 3j + 4k) ⊗ (1 + i) = −1 + 3i − j + 7k.
+  await page.goto("/#compose?as=jpl&direction=body-to-world&p=1+%2B+2i+%2B+3j+%2B+4k&q=1+%2B+i");
+  await expect(road.locator("h2")).toHaveText("p ⊗ q: first q, then p");
+  await expect(road.locator(".strip dd")).toHaveText(["3", "−1", "7", "−1"]);
+  await expect(road).toContainText("In JPL of Yoosefian 2021, eq. 18, body → world");
+  await expect(page.getByRole("status")).toContainText("x 3, y −1, z 7, w −1");
 });
 
 for (const fragment of [

@@ -1,13 +1,13 @@
 // The Compose view: two quaternions, both products, both orders.
 import type { Digits } from "../address.ts";
-import type { ComposeReport, Frame, Handedness, Operand, Product } from "../engine.ts";
+import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
-import { operatorOf, presetOf, presetTowards, wordsOf } from "./words.ts";
+import { arrowOf, nameOf, presetLike, presetOf, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
   const { digits } = store.state.value;
@@ -38,7 +38,7 @@ export function Compose({ store }: { store: Store }) {
       </section>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>
-          <Result report={shownResult.report} digits={digits} />
+          <Result report={shownResult.report} store={store} />
         </div>
       )}
     </>
@@ -49,15 +49,9 @@ const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };
 const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "B′" };
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
 
-/** p times q as the texts were declared: of the same attitudes, with a matrix in the same direction. */
-export function declaredProduct(report: ComposeReport): Product | undefined {
-  const towards = operatorOf(report.p.convention);
-  return report.products.find(({ direction, left }) => direction === towards && left === "p");
-}
-
-function Result({ report, digits }: { report: ComposeReport; digits: Digits }) {
-  const preset = presetTowards[operatorOf(report.p.convention)];
-  const declared = declaredProduct(report);
+function Result({ report, store }: { report: ComposeReport; store: Store }) {
+  const { digits } = store.state.value;
+  const { declared } = report;
   // Each product of the Hamilton kind stands beside the JPL product that has the same numbers.
   const pairs = report.products
     .filter((product) => product.convention.handedness === "right")
@@ -67,11 +61,11 @@ function Result({ report, digits }: { report: ComposeReport; digits: Digits }) {
       );
       return jpl ? [{ hamilton, jpl }] : [];
     });
-  // First the pair that holds the product as declared.
-  if (preset === "jpl") pairs.reverse();
+  // First the pair that is the same attitude as the product as declared.
+  if (declared.direction === "world-to-body") pairs.reverse();
   return (
     <>
-      {declared && <Road report={report} product={declared} digits={digits} />}
+      <Road report={report} engine={store.engine} digits={digits} />
       {pairs.map(({ hamilton, jpl }) => (
         <section
           key={hamilton.left}
@@ -113,22 +107,33 @@ function Formula({ product }: { product: Product }) {
 /** The product as declared, as the way of a vector through the frames. */
 function Road({
   report,
-  product,
+  engine,
   digits,
 }: {
   report: ComposeReport;
-  product: Product;
+  engine: Engine;
   digits: Digits;
 }) {
+  const product = report.declared;
   const [start, middle, end] = product.frames.map((frame) => letterOf[frame]);
-  const preset = presetOf[product.convention.handedness];
+  const preset = presetLike(product.convention, engine);
+  const name = preset ? wordsOf[preset].name : nameOf(product.convention, engine);
   const [afterRight, afterBoth] = product.images ?? [];
   return (
-    <section class={`card road ${preset}`} aria-labelledby="road-name">
+    <section class={`card road ${preset ?? "custom"}`} aria-labelledby="road-name">
       <h2 id="road-name">
         <Formula product={product} />: first <var>{product.right}</var>, then{" "}
         <var>{product.left}</var>
       </h2>
+      {preset === undefined && (
+        <ComponentStrip
+          symbol={spelled(product)}
+          name={`${spelled(product)} as declared`}
+          components={product.quaternion}
+          convention={product.convention}
+          digits={digits}
+        />
+      )}
       <ol class="road-steps">
         <li>
           <span class="road-frame">
@@ -150,9 +155,9 @@ function Road({
         </li>
       </ol>
       <p>
-        In {wordsOf[preset].name}, {wordsOf[preset].direction}, <var>{product.right}</var> leads
-        from {start} to {middle} and <var>{product.left}</var> from {middle} to {end}: they meet in{" "}
-        {middle}. W is the world, B the body, B′ a second body mounted on B.
+        In {name ?? "your convention"}, {arrowOf(product.direction)}, <var>{product.right}</var>{" "}
+        leads from {start} to {middle} and <var>{product.left}</var> from {middle} to {end}: they
+        meet in {middle}. W is the world, B the body, B′ a second body mounted on B.
       </p>
       <OrderWords report={report} />
     </section>

@@ -2,9 +2,10 @@
 import { toFragment, type View } from "../address.ts";
 import { shown, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
-import { Compose, declaredProduct } from "./Compose.tsx";
+import { Compose } from "./Compose.tsx";
 import { Read } from "./Read.tsx";
-import { presetOf, symbolOf, wordsOf } from "./words.ts";
+import { namesInOrder } from "./Value.tsx";
+import { nameOf, symbolOf } from "./words.ts";
 
 const views: { view: View; name: string }[] = [
   { view: "read", name: "Read" },
@@ -63,13 +64,14 @@ function spoken(store: Store): string {
   );
   if (problems.length > 0) return problems.join(" ");
   if (view === "compose") {
-    const report = store.compose.value?.report;
-    const product = report && declaredProduct(report);
+    const product = store.compose.value?.report.declared;
     if (product === undefined) return "";
-    const { w, x, y, z } = product.quaternion;
-    const [first, second, third, fourth] = [w, x, y, z].map((number) => shown(number, digits));
-    const name = wordsOf[presetOf[product.convention.handedness]].name;
-    return `Result: p times q in ${name}: w ${first}, x ${second}, y ${third}, z ${fourth}.`;
+    const { convention, quaternion } = product;
+    const numbers = namesInOrder(convention).map(
+      (name) => `${name} ${shown(quaternion[name], digits)}`,
+    );
+    const name = nameOf(convention, store.engine) ?? "your convention";
+    return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
   }
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";

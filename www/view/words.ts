@@ -113,12 +113,6 @@ export function operatorOf({
   return direction === "body-to-world" ? "world-to-body" : "body-to-world";
 }
 
-/** The preset whose matrix leads in this direction. */
-export const presetTowards: Record<Direction, Preset> = {
-  "body-to-world": "hamilton",
-  "world-to-body": "jpl",
-};
-
 /** The preset that says the same as a convention, but for the places of the numbers and small turns. */
 export function presetLike(convention: Convention, engine: Engine): Preset | undefined {
   const same = (preset: Preset) =>

@@ -49,7 +49,7 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`NoRotation`] for numbers that are not finite, and for a length that no double can hold.
+    /// [`NoRotation`] for numbers that are not finite.
     ///
     /// ```
     /// use quatlas::{Rotation, nalgebra::Vector3};
@@ -63,7 +63,7 @@ impl Rotation {
     pub fn from_rotation_vector_rad(vector: [f64; 3]) -> Result<Self, NoRotation> {
         let norm = Norm::of(&vector);
         let half_angle = norm.fraction * scaling::times_power_of_two(0.5, norm.exponent);
-        if !(vector.iter().all(|number| number.is_finite()) && half_angle.hi().is_finite()) {
+        if !half_angle.hi().is_finite() {
             return Err(NoRotation);
         }
         if half_angle.hi() < SINC_IS_ONE_BELOW {

@@ -6,7 +6,7 @@
 use crate::convention::{Convention, Direction};
 use crate::quaternion::{self, TaggedQuaternion};
 use crate::scaling;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::fmt;
 use std::ops::Mul;
 use twofloat::TwoFloat;
@@ -50,6 +50,29 @@ impl fmt::Debug for Rotation {
 impl PartialEq for Rotation {
     fn eq(&self, other: &Self) -> bool {
         self.to_tagged(Convention::HAMILTON) == other.to_tagged(Convention::HAMILTON)
+    }
+}
+
+impl From<UnitQuaternion<f64>> for Rotation {
+    /// The attitude whose `R_WB` the quaternion acts with: nalgebra's quaternions are Hamilton's.
+    fn from(body_to_world: UnitQuaternion<f64>) -> Self {
+        Self::from_canonical(body_to_world.quaternion())
+    }
+}
+
+impl From<Rotation> for UnitQuaternion<f64> {
+    /// The quaternion that takes coordinates in the body to coordinates in the world.
+    ///
+    /// ```
+    /// use quatlas::{Rotation, nalgebra::{UnitQuaternion, Vector3}};
+    /// let yawed = Rotation::from_axis_angle([0.0, 0.0, 1.0], std::f64::consts::FRAC_PI_2)?;
+    /// let theirs = UnitQuaternion::from(yawed);
+    /// assert!((theirs * Vector3::x() - Vector3::y()).amax() < 5e-16);
+    /// assert_eq!(Rotation::from(theirs), yawed);
+    /// # Ok::<(), quatlas::NoRotation>(())
+    /// ```
+    fn from(rotation: Rotation) -> Self {
+        Self::new_unchecked(rotation.to_tagged(Convention::HAMILTON).components)
     }
 }
 

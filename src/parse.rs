@@ -25,8 +25,8 @@
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
 //! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
-//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn,
-//! and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
+//! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
 //!
 //! # Which sequence
 //!

@@ -305,6 +305,26 @@ impl Fault {
         )
     }
 
+    pub(crate) fn angle_and_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "one term of this sum has a unit of angle and the other has none",
+            "a unit beside every term",
+            "write the unit after each of them: 45deg + 0.5deg",
+        )
+    }
+
+    pub(crate) fn degrees_of_pi(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "a multiple of π is an angle in radians, and here it is given in degrees",
+            "a multiple of π without a unit, or a number of degrees",
+            "remove the unit, or write the number of degrees",
+        )
+    }
+
     pub(crate) fn mixed_units(span: Span) -> Self {
         Self::new(
             ProblemCode::MixedUnits,

@@ -8,7 +8,7 @@
 mod common;
 
 use common::{problems, read_request, wasm_bindgen_test};
-use quatlas::{Convention, Field, Problem, analyze};
+use quatlas::{Convention, Field, Outcome, Problem, ProblemCode, analyze};
 
 macro_rules! cases {
     ($($name:literal,)+) => {
@@ -28,6 +28,7 @@ const CASES: &[(&str, &str)] = cases![
     "a-missing-yaw",
     "a-number-in-two-forms",
     "a-sequence-against-its-frame",
+    "a-sum-of-an-angle-and-a-number",
     "a-unit-beside-one-angle",
     "an-angle-among-numbers",
     "an-axis-that-follows-itself",
@@ -51,6 +52,7 @@ const CASES: &[(&str, &str)] = cases![
     "degrees-and-a-unit-for-all",
     "degrees-and-radians",
     "degrees-beside-pi",
+    "degrees-of-pi",
     "difference-in-a-list",
     "division-by-a-difference-that-is-zero",
     "division-by-a-unit",
@@ -227,6 +229,36 @@ fn no_file_of_the_folder_is_left_out() {
     files.sort();
     let listed: Vec<_> = CASES.iter().map(|(name, _)| *name).collect();
     assert_eq!(files, listed);
+}
+
+/// Texts that could be read as another rotation than was meant, and where the problem stands.
+const MISLEADING: &[(&str, ProblemCode, &str)] = &[
+    ("45°+30/60 about z", ProblemCode::MixedUnits, "45°+30/60"),
+    ("0.5 - 45° about z", ProblemCode::MixedUnits, "0.5 - 45°"),
+    ("90° + pi/2 about z", ProblemCode::MixedUnits, "90° + pi/2"),
+    ("90° + 1rad about z", ProblemCode::MixedUnits, "90° + 1rad"),
+    ("45° * (2°) about z", ProblemCode::MixedUnits, "45° * (2°)"),
+    ("pi/2 deg about z", ProblemCode::MixedUnits, "pi/2"),
+    ("ZYX pi/2 0 0 deg", ProblemCode::MixedUnits, "pi/2"),
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_could_be_read_as_another_rotation_is_refused_at_its_place() {
+    for (text, code, place) in MISLEADING {
+        let outcome = analyze(&read_request(text, "1 0 0", Convention::HAMILTON));
+        let Outcome::Problems(found) = outcome else {
+            panic!("{text} is read: {outcome:?}")
+        };
+        let [problem] = &found.problems[..] else {
+            panic!("{text}: {found:?}")
+        };
+        assert_eq!(problem.code, *code, "{text}");
+        assert_eq!(
+            &text[problem.span.start..problem.span.end],
+            *place,
+            "{text}"
+        );
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

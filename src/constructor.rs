@@ -75,7 +75,7 @@ pub(crate) fn call(name: &str) -> Call {
             last.strip_prefix(word)
                 .is_some_and(|rest| rest.starts_with(char::is_uppercase))
         });
-    if computes {
+    if computes || names_both_orders(last) {
         return Call::Other;
     }
     if let Some(order) = order_in_name(last) {
@@ -89,6 +89,7 @@ pub(crate) fn call(name: &str) -> Call {
     }
     match lower.as_str() {
         "array" | "asarray" | "tensor" | "list" | "tuple" | "vec" => Call::Container,
+        "new" if name.to_ascii_lowercase().contains("vec") => Call::Vector,
         "so3" | "so3d" | "so3f" | "rot3" | "rotation" | "new" | "new_normalize"
         | "new_unchecked" => Call::Unordered,
         "float3" | "double3" | "point3" => Call::Vector,
@@ -117,8 +118,17 @@ pub(crate) fn order_in_name(name: &str) -> Option<ComponentOrder> {
     }
 }
 
+/// `wxyz_to_xyzw`: which of the two the numbers have is not known.
+fn names_both_orders(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    lower.contains("xyzw") && lower.replacen("xyzw", " ", 1).contains("wxyz")
+}
+
 /// Whether a label announces something else than a quaternion or a vector.
 pub(crate) fn is_other_label(name: &str) -> bool {
+    if names_both_orders(name) {
+        return true;
+    }
     let lower = name.to_ascii_lowercase();
     ["angle", "axis", "euler", "matrix", "rotvec", "rpy", "ypr"]
         .iter()

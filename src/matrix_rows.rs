@@ -1,6 +1,7 @@
 //! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
 //! other.
 
+use crate::constructor::{self, Call};
 use crate::messages::Fault;
 use crate::numbers::{
     check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
@@ -95,8 +96,11 @@ fn rows<'e, 't>(entries: &'e [Entry<'t>]) -> Rows<'e, 't> {
     Rows::OfLengths(split_by(&|entry| !is_after_comma(entry)))
 }
 
+/// What is made a vector by its name may be a column.
 fn is_row(node: &Node<'_>) -> bool {
-    held(node).is_some_and(|row| row.iter().all(|entry| entry.key.is_none()))
+    let is_vector =
+        matches!(node.kind, NodeKind::Call { name, .. } if constructor::call(name) == Call::Vector);
+    !is_vector && held(node).is_some_and(|row| row.iter().all(|entry| entry.key.is_none()))
 }
 
 fn is_number(node: &Node<'_>) -> bool {

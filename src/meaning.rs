@@ -155,7 +155,7 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
             return Err(Fault::wrong_count(node.span, Wanted::Quaternion, 1));
         }
     };
-    let order = match (scalar_first_argument(arguments), constructor::call(name)) {
+    let order = match (scalar_first_argument(arguments)?, constructor::call(name)) {
         (_, Call::Other | Call::Vector) => {
             return Err(Fault::not_applied(node.span, name, Wanted::Quaternion));
         }
@@ -170,14 +170,16 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
 }
 
 /// `scalar_first=True`, as in `SciPy`'s `from_quat`.
-fn scalar_first_argument(arguments: &[Entry<'_>]) -> Option<ComponentOrder> {
-    arguments
-        .iter()
-        .find(|entry| entry.key.is_some_and(|key| key.name == "scalar_first"))
-        .map(|entry| match entry.node.kind {
-            NodeKind::Word("True" | "true") => ComponentOrder::ScalarFirst,
-            _ => ComponentOrder::ScalarLast,
-        })
+fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrder>, Fault> {
+    let is_it = |entry: &&Entry<'_>| entry.key.is_some_and(|key| key.name == "scalar_first");
+    let Some(entry) = arguments.iter().find(is_it) else {
+        return Ok(None);
+    };
+    match entry.node.truth() {
+        Some(true) => Ok(Some(ComponentOrder::ScalarFirst)),
+        Some(false) => Ok(Some(ComponentOrder::ScalarLast)),
+        None => Err(Fault::unknown_argument(entry.node.span, "scalar_first")),
+    }
 }
 
 /// The part of several named ones that is the orientation, as in JSON of a pose.

@@ -236,6 +236,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn axis_not_normalised(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!("{name} does not normalise its axis, so with this one it makes no rotation"),
+            "an axis of length 1",
+            "divide the axis by its length, or write the turn in words: 45deg about [1, 1, 0]",
+        )
+    }
+
     pub(crate) fn no_sequence(span: Span) -> Self {
         Self::new(
             ProblemCode::UnknownSequence,

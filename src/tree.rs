@@ -83,6 +83,16 @@ impl Node<'_> {
         }
     }
 
+    /// `True` or `false`, not in quotes.
+    pub(crate) fn truth(&self) -> Option<bool> {
+        match self.kind {
+            NodeKind::Word(word) if word.len() < self.span.end - self.span.start => None,
+            NodeKind::Word("True" | "true") => Some(true),
+            NodeKind::Word("False" | "false") => Some(false),
+            _ => None,
+        }
+    }
+
     /// The real number that this is; a problem where it is something else.
     pub(crate) fn real(&self) -> Result<f64, Fault> {
         let value = self.value()?;

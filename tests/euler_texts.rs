@@ -166,6 +166,7 @@ fn euler_angles_in_a_call() {
             DEGREES,
         ),
         ("q.setRPY(0.1, 0.2, 0.3);", "xyz", SMALL, RADIANS),
+        ("PyKDL.Rotation.RPY(0.1, 0.2, 0.3)", "xyz", SMALL, RADIANS),
         (
             "quaternion_from_euler(0.1, 0.2, 0.3)",
             "xyz",

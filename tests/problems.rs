@@ -24,6 +24,7 @@ const CASES: &[(&str, &str)] = cases![
     "a-conversion-by-name",
     "a-function-of-units",
     "a-long-line",
+    "a-matrix-of-unknown-layout",
     "a-method-after-the-value",
     "a-missing-yaw",
     "a-number-in-two-forms",
@@ -31,6 +32,7 @@ const CASES: &[(&str, &str)] = cases![
     "a-sum-of-an-angle-and-a-number",
     "a-unit-beside-one-angle",
     "an-angle-among-numbers",
+    "an-axis-that-a-call-does-not-normalise",
     "an-axis-that-follows-itself",
     "an-axis-that-follows-itself-in-a-call",
     "an-unknown-argument",
@@ -240,6 +242,73 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     ("45° * (2°) about z", ProblemCode::MixedUnits, "45° * (2°)"),
     ("pi/2 deg about z", ProblemCode::MixedUnits, "pi/2"),
     ("ZYX pi/2 0 0 deg", ProblemCode::MixedUnits, "pi/2"),
+    // Columns in these libraries, or vectors as rows.
+    (
+        "Gf.Matrix3d(0,-1,0,1,0,0,0,0,1)",
+        ProblemCode::UnknownWord,
+        "Gf.Matrix3d(0,-1,0,1,0,0,0,0,1)",
+    ),
+    (
+        "new Matrix3f(0,-1,0,1,0,0,0,0,1)",
+        ProblemCode::UnknownWord,
+        "Matrix3f(0,-1,0,1,0,0,0,0,1)",
+    ),
+    (
+        "org.joml.Matrix3d(1,0,0,0,1,0,0,0,1)",
+        ProblemCode::UnknownWord,
+        "org.joml.Matrix3d(1,0,0,0,1,0,0,0,1)",
+    ),
+    (
+        "Matrix3::new(1,0,0,0,1,0,0,0,1)",
+        ProblemCode::UnknownWord,
+        "Matrix3::new(1,0,0,0,1,0,0,0,1)",
+    ),
+    (
+        "cgmath::Matrix3::new(1,0,0,0,1,0,0,0,1)",
+        ProblemCode::UnknownWord,
+        "cgmath::Matrix3::new(1,0,0,0,1,0,0,0,1)",
+    ),
+    (
+        "vec3(0,-1,0), vec3(1,0,0), vec3(0,0,1)",
+        ProblemCode::UnknownWord,
+        "vec3(0,-1,0)",
+    ),
+    (
+        "wxyz2xyzw([0.92, 0, 0, 0.38])",
+        ProblemCode::UnknownWord,
+        "wxyz2xyzw([0.92, 0, 0, 0.38])",
+    ),
+    (
+        "wxyzToXyzw(0.92, 0, 0, 0.38)",
+        ProblemCode::UnknownWord,
+        "wxyzToXyzw(0.92, 0, 0, 0.38)",
+    ),
+    (
+        "q_wxyz_from_xyzw = [0.92, 0, 0, 0.38]",
+        ProblemCode::UnknownWord,
+        "q_wxyz_from_xyzw",
+    ),
+    // Neither library divides the axis by its length.
+    (
+        "glm::angleAxis(1.0f, glm::vec3(1,1,0))",
+        ProblemCode::NotARotation,
+        "glm::vec3(1,1,0)",
+    ),
+    (
+        "q.setFromAxisAngle(new THREE.Vector3(0,0,2), 1)",
+        ProblemCode::NotARotation,
+        "THREE.Vector3(0,0,2)",
+    ),
+    (
+        "R.from_rotvec([0,0,1], degrees='False')",
+        ProblemCode::UnknownComponent,
+        "'False'",
+    ),
+    (
+        "R.from_quat([0,0,0,1], scalar_first=1)",
+        ProblemCode::UnknownComponent,
+        "1",
+    ),
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -162,6 +162,31 @@ fn an_axis_and_an_angle_in_a_call() {
             RADIANS,
         ),
         ("R.from_euler('z', 90, degrees=True)", Z, FRAC_PI_2, DEGREES),
+        (
+            "Quat::from_axis_angle(Vec3::new(0.0, 0.0, 1.0), 0.785)",
+            Z,
+            0.785,
+            RADIANS,
+        ),
+        (
+            "UnitQuaternion::from_axis_angle(&Vector3::z_axis(), FRAC_PI_2)",
+            Z,
+            FRAC_PI_2,
+            RADIANS,
+        ),
+        // Three decimals are as good as 1; Bullet and Blender normalise.
+        (
+            "glm::angleAxis(0.785f, glm::vec3(0, 0, 0.9995))",
+            [0.0, 0.0, 0.9995],
+            0.785,
+            RADIANS,
+        ),
+        (
+            "tf2::Quaternion(tf2::Vector3(1, 1, 0), 0.785)",
+            [1.0, 1.0, 0.0],
+            0.785,
+            RADIANS,
+        ),
     ]);
 }
 
@@ -194,6 +219,11 @@ fn a_rotation_vector() {
         (
             "from_rotvec([0, 0, np.pi/2], degrees=False)",
             [0.0, 0.0, FRAC_PI_2],
+            RADIANS,
+        ),
+        (
+            "UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.0, 0.785))",
+            [0.0, 0.0, 0.785],
             RADIANS,
         ),
     ];
@@ -233,6 +263,7 @@ fn a_matrix_row_by_row() {
         "R.from_matrix(np.array([[0, 0, 1], [-1, 0, 0], [0, -0.5, 0]]))",
         "Quaternion(matrix=np.array([[0, 0, 1], [-1, 0, 0], [0, -0.5, 0]]))",
         "tf2::Matrix3x3(0, 0, 1, -1, 0, 0, 0, -0.5, 0)",
+        "nalgebra::Matrix3::new(0, 0, 1, -1, 0, 0, 0, -0.5, 0)",
         "Eigen::Matrix3d R{{0, 0, 1}, {-1, 0, 0}, {0, -0.5, 0}};",
         "[[0, 0, 1], [-cos(0), 0, 0], [0, -sin(pi/6), 0]]",
         "(0, 0, 1), (-1, 0, 0), (0, -0.5, 0)",

@@ -6,7 +6,7 @@ use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, tr
 use crate::calls;
 use crate::euler_sequence::EulerSequence;
 use crate::lex::{self, Token, TokenKind};
-use crate::linear::Linear;
+use crate::linear::{Linear, Quantity};
 use crate::matrix_rows;
 use crate::meaning;
 use crate::messages::Fault;
@@ -155,6 +155,28 @@ pub(crate) fn announced(
             axis_angle(rest, span, form, rule(UnitRule::Magnitude))
         }
     }
+}
+
+/// `45deg [0, 0, 1]`, `(z, 45deg)`: a unit tells which of the two is the angle.
+pub(crate) fn angle_beside_axis(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
+    let is_angle = |entry: &Entry<'_>| {
+        matches!(
+            entry.node.kind,
+            NodeKind::Value(Linear {
+                quantity: Quantity::Angle(_),
+                ..
+            })
+        )
+    };
+    let is_axis = |entry: &Entry<'_>| !matches!(entry.node.kind, NodeKind::Value(_));
+    let members = members(entries);
+    let (angle, axis) = match &members[..] {
+        [one, two] if one.key.is_some() || two.key.is_some() => return Ok(None),
+        [angle, axis] | [axis, angle] if is_angle(angle) && is_axis(axis) => (angle, axis),
+        _ => return Ok(None),
+    };
+    let angle = (angle.node.angle()?, angle.node.span);
+    representation::axis_angle(axis_of_node(&axis.node)?, angle, UnitRule::Magnitude).map(Some)
 }
 
 /// The tokens inside quotes around all the numbers: `rpy="0.1 0.2 0.3"`.

@@ -97,7 +97,7 @@ fn read_quaternion(
     order: Order,
     place: Place,
 ) -> Result<ParsedQuaternion, Fault> {
-    if let Some(node) = orientation(entries) {
+    if let Some(node) = orientation(entries)? {
         return read_members(node, order, place);
     }
     let (entries, label) = without_label(entries, Wanted::Quaternion)?;
@@ -118,18 +118,22 @@ fn read_quaternion(
     if let [first, second] = &entries[..] {
         if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node)) {
             let part = vector(inner, second.node.span)?;
+            let quaternion = Quaternion::from_parts(first.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
             return Ok(order
                 .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
-                .with(Quaternion::from_parts(first.node.real()?, part)));
+                .with(quaternion));
         }
         if let (Some(inner), NodeKind::Value(_)) = (held(&first.node), &second.node.kind) {
             if place == Place::InCall {
                 return Err(Fault::axis_and_angle(span));
             }
             let part = vector(inner, first.node.span)?;
+            let quaternion = Quaternion::from_parts(second.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
             return Ok(order
                 .told(ComponentOrder::ScalarLast, OrderSource::Grouped)
-                .with(Quaternion::from_parts(second.node.real()?, part)));
+                .with(quaternion));
         }
     }
     let values = values(&entries)?;
@@ -144,6 +148,20 @@ fn read_quaternion(
         ComponentOrder::ScalarLast => Quaternion::new(d, a, b, c),
     };
     Ok(order.with(quaternion))
+}
+
+/// How far from 1 a length is that was typed as 1 with six decimals.
+const TYPED_AS_ONE: f64 = 1e-6;
+
+/// A vector of length 1 and a number that together have another norm may be an axis and its angle,
+/// unless a name before them says that they are a quaternion.
+fn check_pair(order: &Order, pair: &Quaternion<f64>, span: Span) -> Result<(), Fault> {
+    let is_one = |length: f64| (length - 1.0).abs() <= TYPED_AS_ONE;
+    let may_be_axis_and_angle = is_one(pair.imag().norm()) && !is_one(pair.norm());
+    if may_be_axis_and_angle && order.source == OrderSource::Declared {
+        return Err(Fault::axis_angle_or_quaternion(span));
+    }
+    Ok(())
 }
 
 /// What stands in the brackets of a list or a call.
@@ -182,15 +200,28 @@ fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrde
     }
 }
 
-/// The part of several named ones that is the orientation, as in JSON of a pose.
-fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+/// The part of several named ones that is the orientation, as in JSON of a pose; a problem where
+/// another part is a rotation too.
+fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Result<Option<&'e Node<'t>>, Fault> {
+    let named = |entry: &Entry<'_>, is_it: &dyn Fn(&str) -> bool| {
+        !matches!(entry.node.kind, NodeKind::Word(_))
+            && entry.key.is_some_and(|key| is_it(key.name))
+    };
+    let is_orientation = |name: &str| ORIENTATIONS.contains(&name);
     let found = entries.iter().find(|entry| {
-        matches!(entry.node.kind, NodeKind::List(_))
-            && entry
-                .key
-                .is_some_and(|key| ORIENTATIONS.contains(&key.name))
+        matches!(entry.node.kind, NodeKind::List(_)) && named(entry, &is_orientation)
     });
-    found.filter(|_| entries.len() > 1).map(|entry| &entry.node)
+    let Some(found) = found.filter(|_| entries.len() > 1) else {
+        return Ok(None);
+    };
+    let is_rotation = |name: &str| is_orientation(name) || constructor::is_other_label(name);
+    let other = entries
+        .iter()
+        .find(|entry| !std::ptr::eq(*entry, found) && named(entry, &is_rotation));
+    match other {
+        Some(other) => Err(Fault::several_values(other.node.span)),
+        None => Ok(Some(&found.node)),
+    }
 }
 
 pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {

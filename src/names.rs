@@ -69,7 +69,8 @@ pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result
 }
 
 /// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
-/// several apart: those of the orientation, or a problem where none is.
+/// several apart: those of the orientation, or a problem where none
+/// or more than one is.
 fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
     let path = |key: Key<'t>| {
         key.name
@@ -87,7 +88,7 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         .chain((1..entries.len()).filter(|&at| starts(at)))
         .chain([entries.len()])
         .collect();
-    let mut groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
+    let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
     if bounds.len() == 2 {
         return Ok(entries);
     }
@@ -99,7 +100,10 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         })
     };
     let second = bounds[1];
-    groups
-        .find(is_orientation)
-        .ok_or_else(|| Fault::several_values(entries[second].node.span))
+    let mut orientations = groups.filter(is_orientation);
+    match (orientations.next(), orientations.next()) {
+        (Some(only), None) => Ok(only),
+        (Some(_), Some(other)) => Err(Fault::several_values(other[0].node.span)),
+        (None, _) => Err(Fault::several_values(entries[second].node.span)),
+    }
 }

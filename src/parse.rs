@@ -83,7 +83,7 @@ use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
 use crate::names::component;
-use crate::phrases::Form;
+use crate::phrases::{self, Form};
 use crate::problem::{Field, Problem, Span, Wanted};
 pub use crate::representation::ParsedRotation;
 use crate::spoken::{Spoken, spoken};
@@ -213,6 +213,7 @@ fn rotation(
             word,
             after,
         } => return announced::about(before, word, after),
+        Spoken::Several(second) => return Err(Fault::several_values(second)),
         Spoken::Parts(parts) => return announced::parts(&parts, span),
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,
@@ -221,6 +222,15 @@ fn rotation(
         Spoken::Nothing => tokens,
     };
     let entries = syntax::entries(numbers)?;
+    let is_announced = numbers.len() < tokens.len();
+    if !is_announced {
+        if let Some(rotation) = announced::angle_beside_axis(&entries)? {
+            return Ok(rotation);
+        }
+        if let Some(first) = phrases::sequence_among_numbers(&entries) {
+            return Err(Fault::sequence_or_number(first));
+        }
+    }
     if let Some(rotation) = calls::rotation(&entries)? {
         return Ok(rotation);
     }

@@ -59,6 +59,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn axis_angle_or_quaternion(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a vector of length 1 and a number are an axis and its angle, or a quaternion that is \
+             not normalised",
+            "a word that says which, or numbers that only one of them can have",
+            "write axis-angle [0, 0, 1] 0.7 for the first, w=0.7, x=0, y=0, z=1 for the second",
+        )
+    }
+
     pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
         let (expected, hint) = match wanted {
             Wanted::Quaternion => count_of_rotation(found),
@@ -255,6 +266,16 @@ impl Fault {
             "a sequence of three axes: capitals for axes that move (ZYX), small letters for fixed \
              ones (xyz)",
             "write ZYX 30deg 20deg 10deg, or roll=10deg pitch=20deg yaw=30deg",
+        )
+    }
+
+    pub(crate) fn sequence_or_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnknownSequence,
+            span,
+            "this is the first number of a quaternion, or the sequence of three Euler angles",
+            "a sequence with dashes, or a word before the numbers",
+            "write 3-2-1 30 20 10 for the angles, quaternion 321 30 20 10 for the four numbers",
         )
     }
 

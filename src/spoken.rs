@@ -24,6 +24,8 @@ pub(crate) enum Spoken<'s, 't> {
     },
     /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
     Parts(Vec<SpokenPart<'s, 't>>),
+    /// Two attributes that are rotations: where the second stands.
+    Several(Span),
     /// `rotvec 0 0 0.785`: what is announced and what follows it.
     Announced(Announcement<'t>, &'s [Token<'t>]),
 }
@@ -92,7 +94,11 @@ pub(crate) enum Sequence<'t> {
 const MOST_WRAPPINGS: usize = 3;
 
 pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'s, 't> {
-    let mut tokens = attribute(tokens).unwrap_or(tokens);
+    let mut tokens = match &attributes(tokens)[..] {
+        [] => tokens,
+        [only] => only,
+        [_, second, ..] => return Spoken::Several(second[0].span.to(second[2].span)),
+    };
     for _ in 0..=MOST_WRAPPINGS {
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
@@ -157,14 +163,17 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
     }
 }
 
-/// The `rpy="…"` of an element of URDF.
-fn attribute<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
-    let is_attribute = |three: &[Token<'_>]| {
+/// The `rpy="…"` of elements of URDF, or more than one of them without an element.
+fn attributes<'s, 't>(tokens: &'s [Token<'t>]) -> Vec<&'s [Token<'t>]> {
+    let is_attribute = |three: &&[Token<'_>]| {
         three[0].text == "rpy" && is_mark(three.get(1)) && three[2].kind == TokenKind::Quoted
     };
-    let is_element = tokens.first()?.kind == TokenKind::Open(Bracket::Angle);
-    let found = tokens.windows(3).find(|three| is_attribute(three));
-    found.filter(|_| is_element)
+    let is_element = |first: &Token<'_>| first.kind == TokenKind::Open(Bracket::Angle);
+    let found: Vec<_> = tokens.windows(3).filter(is_attribute).collect();
+    if found.len() > 1 || tokens.first().is_some_and(is_element) {
+        return found;
+    }
+    Vec::new()
 }
 
 /// The parts whose names a text begins with.

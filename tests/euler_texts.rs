@@ -89,6 +89,9 @@ fn euler_angles_by_their_sequence() {
         ("Z-Y-X 30 20 10", "ZYX", YPR, AS_DEGREES),
         ("euler z-y-x 30 20 10", "zyx", YPR, AS_DEGREES),
         ("3-2-1: 30, 20, 10 deg", "ZYX", YPR, DEGREES),
+        ("3-2-1, 30, 20, 10", "ZYX", YPR, AS_DEGREES),
+        ("3-2-1; 30; 20; 10", "ZYX", YPR, AS_DEGREES),
+        ("[3-1-3,30,20,10]", "ZXZ", YPR, AS_DEGREES),
         (
             "3-1-3 -30 20 10",
             "ZXZ",

@@ -29,8 +29,10 @@ const CASES: &[(&str, &str)] = cases![
     "a-missing-yaw",
     "a-number-in-two-forms",
     "a-sequence-against-its-frame",
+    "a-sequence-or-a-number",
     "a-sum-of-an-angle-and-a-number",
     "a-unit-beside-one-angle",
+    "a-unit-vector-and-a-number",
     "an-angle-among-numbers",
     "an-axis-that-a-call-does-not-normalise",
     "an-axis-that-follows-itself",
@@ -308,6 +310,50 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         "R.from_quat([0,0,0,1], scalar_first=1)",
         ProblemCode::UnknownComponent,
         "1",
+    ),
+    // An axis and its angle, or a quaternion that is not normalised.
+    (
+        "(array([0., 0., 1.]), 1.5707963267948966)",
+        ProblemCode::Unexpected,
+        "(array([0., 0., 1.]), 1.5707963267948966)",
+    ),
+    (
+        "(1.57, [0, 0, 1])",
+        ProblemCode::Unexpected,
+        "(1.57, [0, 0, 1])",
+    ),
+    (
+        "Quaternion(1.57, [0, 0, 1])",
+        ProblemCode::Unexpected,
+        "Quaternion(1.57, [0, 0, 1])",
+    ),
+    ("321 30 20 10", ProblemCode::UnknownSequence, "321"),
+    ("[313, 30, 20, 10]", ProblemCode::UnknownSequence, "313"),
+    // Which of two rotations is meant is not said.
+    (
+        r#"<origin rpy="0 0 1"/> <origin rpy="0 0 2"/>"#,
+        ProblemCode::MixedNames,
+        r#"rpy="0 0 2""#,
+    ),
+    (
+        "orientation:\n x: 0\n y: 0\n z: 0\n w: 1\norientation:\n x: 1\n y: 0\n z: 0\n w: 2",
+        ProblemCode::MixedNames,
+        "1",
+    ),
+    (
+        "a.orientation.w=1 a.orientation.x=2 b.orientation.w=3 b.orientation.x=4",
+        ProblemCode::MixedNames,
+        "3",
+    ),
+    (
+        r#"{"orientation": [0, 0, 0, 1], "rotation": [1, 0, 0, 0]}"#,
+        ProblemCode::MixedNames,
+        "[1, 0, 0, 0]",
+    ),
+    (
+        r#"{"quaternion": [0, 0, 0, 1], "rpy": [1, 0, 0]}"#,
+        ProblemCode::MixedNames,
+        "[1, 0, 0]",
     ),
 ];
 

@@ -57,6 +57,8 @@ fn an_angle_about_an_axis() {
             DEGREES,
         ),
         ("(45deg about z)", Z, FRAC_PI_4, DEGREES),
+        ("45deg [0 0 1]", Z, FRAC_PI_4, DEGREES),
+        ("(z, 45°)", Z, FRAC_PI_4, DEGREES),
     ]);
 }
 
@@ -338,9 +340,18 @@ fn where_a_quaternion_or_a_vector_is_wanted_the_others_are_refused() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_vector_and_a_scalar_in_the_open_stay_a_quaternion() {
-    let parsed = parse_rotation("[[0, 0, 1], 0.7]", Field::P, ComponentOrder::ScalarFirst);
-    let Ok(ParsedRotation::Quaternion(parsed)) = parsed else {
-        panic!("{parsed:?}");
-    };
-    assert_eq!((parsed.quaternion.w, parsed.quaternion.k), (0.7, 1.0));
+    // Of an axis and an angle the vector would have length 1 and the four numbers would not.
+    for (text, w, k) in [
+        ("[[0, 0, 0.6], 0.8]", 0.8, 0.6),
+        ("[[0, 0, 2], 0.7]", 0.7, 2.0),
+        ("([0, 0, 1], 0)", 0.0, 1.0),
+        ("Gf.Quatd(0.5, Gf.Vec3d(0, 0, 1))", 0.5, 1.0),
+    ] {
+        let parsed = parse_rotation(text, Field::P, ComponentOrder::ScalarFirst);
+        let Ok(ParsedRotation::Quaternion(parsed)) = parsed else {
+            panic!("{text}: {parsed:?}");
+        };
+        let quaternion = parsed.quaternion;
+        assert_eq!((quaternion.w, quaternion.k), (w, k), "{text}");
+    }
 }

@@ -15,6 +15,17 @@ pub enum AngleUnit {
     Radians,
 }
 
+impl AngleUnit {
+    /// The unit with this name in small letters; `º` is the sign of an ordinal, typed for a degree.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        match name {
+            "deg" | "degree" | "degrees" | "°" | "º" => Some(Self::Degrees),
+            "rad" | "radian" | "radians" => Some(Self::Radians),
+            _ => None,
+        }
+    }
+}
+
 /// How the unit of an angle was told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UnitSource {

@@ -25,6 +25,7 @@ pub(crate) fn about(
     before: &[Token<'_>],
     word: Span,
     after: &[Token<'_>],
+    unit: Option<AngleUnit>,
 ) -> Result<ParsedRotation, Fault> {
     let before = without_verbs(before);
     let is_by = |token: &Token<'_>| token.kind == TokenKind::Word && token.text == "by";
@@ -38,7 +39,7 @@ pub(crate) fn about(
     }
     let angle = axis::angle(angle, at)?;
     let axis = axis::axis(axis, word)?;
-    representation::axis_angle(axis, angle, UnitRule::Magnitude)
+    representation::axis_angle(axis, angle, angles::rule(unit, UnitRule::Magnitude))
 }
 
 /// `rotate by 45deg`, `rotation of 45deg`, `a turn by 45deg`
@@ -56,7 +57,11 @@ fn without_verbs<'s, 't>(mut tokens: &'s [Token<'t>]) -> &'s [Token<'t>] {
 }
 
 /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
-pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRotation, Fault> {
+pub(crate) fn parts(
+    parts: &[SpokenPart<'_, '_>],
+    span: Span,
+    for_all: Option<AngleUnit>,
+) -> Result<ParsedRotation, Fault> {
     for (at, part) in parts.iter().enumerate() {
         if is_of_turn(part.part) != is_of_turn(parts[0].part) {
             return Err(Fault::mixed_parts(part.label));
@@ -72,7 +77,7 @@ pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRo
         let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
         let axis = axis::axis(axis.tokens, axis.label)?;
         let angle = axis::angle(angle.tokens, angle.label)?;
-        return representation::axis_angle(axis, angle, UnitRule::Magnitude);
+        return representation::axis_angle(axis, angle, angles::rule(for_all, UnitRule::Magnitude));
     }
     let names = [Part::Roll, Part::Pitch, Part::Yaw];
     let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
@@ -88,7 +93,12 @@ pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRo
         axis::angle(if is_last { last_number } else { part.tokens }, part.label)
     };
     let angles = [angle(roll)?, angle(pitch)?, angle(yaw)?];
-    let rule = angles::rule(unit, UnitRule::Magnitude);
+    if let (Some(one), Some(other)) = (unit, for_all)
+        && one != other
+    {
+        return Err(Fault::mixed_units(span));
+    }
+    let rule = angles::rule(unit.or(for_all), UnitRule::Magnitude);
     euler_angles(EulerSequence::ROLL_PITCH_YAW, angles, rule)
 }
 
@@ -109,12 +119,15 @@ pub(crate) fn announced(
         && matches!(open.kind, TokenKind::Open(_))
         && let Some(rotation) = calls::rotation(&syntax::entries(rest)?)?
     {
-        return Ok(rotation);
+        return match announcement.unit {
+            Some(_) => Err(Fault::mixed_units(announcement.span)),
+            None => Ok(rotation),
+        };
     }
     if matches!(form, Form::Euler | Form::AxisAngle)
         && let Some(found) = spoken::parts(spoken::inside(rest).unwrap_or(rest))
     {
-        return parts(&found, span_of(rest, announcement.span));
+        return parts(&found, span_of(rest, announcement.span), announcement.unit);
     }
     let (rest, unit) = angles::without_unit(rest);
     if let (Some(before), Some(after)) = (announcement.unit, unit)
@@ -128,12 +141,15 @@ pub(crate) fn announced(
     let radians = UnitRule::Custom(AngleUnit::Radians);
     match form {
         Form::Matrix => {
+            if unit.is_some() {
+                return Err(Fault::mixed_units(announcement.span));
+            }
             let entries = syntax::entries(rest)?;
             matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)
         }
         Form::RotationVector => {
             let entries = syntax::entries(rest)?;
-            if members(&entries).iter().any(|entry| entry.key.is_some()) {
+            if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
                 let part = |number| (Linear::real(number), span);
                 let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
                 return rotation_vector(vector.map(part), rule(radians));
@@ -169,7 +185,9 @@ pub(crate) fn angle_beside_axis(entries: &[Entry<'_>]) -> Result<Option<ParsedRo
         )
     };
     let is_axis = |entry: &Entry<'_>| !matches!(entry.node.kind, NodeKind::Value(_));
-    let members = members(entries);
+    let Ok(members) = members(entries) else {
+        return Ok(None);
+    };
     let (angle, axis) = match &members[..] {
         [one, two] if one.key.is_some() || two.key.is_some() => return Ok(None),
         [angle, axis] | [axis, angle] if is_angle(angle) && is_axis(axis) => (angle, axis),
@@ -202,7 +220,7 @@ fn axis_angle(
         let angle = axis::angle(rest, span)?;
         return representation::axis_angle(axis, angle, rule);
     }
-    let entries = members(&syntax::entries(tokens)?);
+    let entries = members(&syntax::entries(tokens)?)?;
     if let Some(named) = entries.iter().find_map(|entry| entry.key) {
         return Err(Fault::unknown_argument(named.span, named.name));
     }

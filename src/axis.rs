@@ -158,7 +158,7 @@ pub(crate) fn alone<'t>(node: &Node<'t>) -> Entry<'t> {
 pub(crate) fn angle(tokens: &[Token<'_>], before: Span) -> Result<Angle, Fault> {
     let (tokens, unit) = angles::without_unit(trimmed(tokens));
     let span = span_of(tokens, before);
-    match &members(&syntax::entries(tokens)?)[..] {
+    match &members(&syntax::entries(tokens)?)?[..] {
         [] => Err(Fault::no_angle(span)),
         [only] if only.key.is_none() => {
             let value = only.node.angle()?;

@@ -91,11 +91,9 @@ pub(crate) struct Token<'t> {
 impl Token<'_> {
     /// The unit of angle that this is: `°`, `deg`, `rad`.
     pub(crate) fn angle_unit(&self) -> Option<AngleUnit> {
-        match (self.kind, self.text) {
-            (TokenKind::Degree, _) | (TokenKind::Word, "deg" | "degree" | "degrees") => {
-                Some(AngleUnit::Degrees)
-            }
-            (TokenKind::Word, "rad" | "radian" | "radians") => Some(AngleUnit::Radians),
+        match self.kind {
+            TokenKind::Degree => Some(AngleUnit::Degrees),
+            TokenKind::Word => AngleUnit::named(&self.text.to_ascii_lowercase()),
             _ => None,
         }
     }
@@ -363,7 +361,7 @@ fn sign<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
                 '*' | '·' | '×' | '⋅' | '∗' => TokenKind::Times,
                 '/' | '÷' | '∕' | '⁄' => TokenKind::Divide,
                 '√' => TokenKind::Root,
-                '°' => TokenKind::Degree,
+                '°' | '˚' => TokenKind::Degree,
                 ',' | ';' => TokenKind::Comma,
                 ':' => TokenKind::Colon,
                 '=' => TokenKind::Equals,

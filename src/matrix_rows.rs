@@ -15,7 +15,7 @@ pub(crate) fn unannounced(
     entries: &[Entry<'_>],
     span: Span,
 ) -> Result<Option<Matrix3<f64>>, Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
     if entries.iter().any(|entry| entry.key.is_some()) {
         return Ok(None);
     }
@@ -29,13 +29,16 @@ pub(crate) fn unannounced(
 
 /// The matrix of members that are announced as one.
 pub(crate) fn matrix(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
+    if let Some(key) = entries.iter().find_map(|entry| entry.key) {
+        return Err(Fault::unknown_argument(key.span, key.name));
+    }
     let mut numbers = Vec::new();
     let lengths: Vec<usize> = match rows(&entries) {
         Rows::InBrackets => {
             let mut lengths = Vec::new();
             for entry in &entries {
-                let row = held(&entry.node).map_or_else(|| vec![entry.clone()], members);
+                let row = held(&entry.node).map_or_else(|| Ok(vec![entry.clone()]), members)?;
                 check_separators(&row, entry.node.span)?;
                 lengths.push(row.len());
                 numbers.extend(values(&row)?);

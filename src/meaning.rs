@@ -81,11 +81,15 @@ pub(crate) fn quaternion(
     entries: &[Entry<'_>],
     span: Span,
     declared: ComponentOrder,
+    told: Option<ComponentOrder>,
 ) -> Result<ParsedQuaternion, Fault> {
     let order = Order {
         declared,
-        order: declared,
-        source: OrderSource::Declared,
+        order: told.unwrap_or(declared),
+        source: match told {
+            Some(_) => OrderSource::Named,
+            None => OrderSource::Declared,
+        },
         unknown_constructor: None,
     };
     read_quaternion(entries, span, order, Place::Open)
@@ -102,6 +106,10 @@ fn read_quaternion(
     }
     let (entries, label) = without_label(entries, Wanted::Quaternion)?;
     let order = match label.and_then(|label| constructor::order_in_name(label.name)) {
+        Some(named) if order.source == OrderSource::Named && order.order != named => {
+            let label = label.unwrap_or_default();
+            return Err(Fault::unknown_argument(label.span, label.name));
+        }
         Some(named) => order.told(named, OrderSource::Named),
         None => order,
     };
@@ -183,14 +191,14 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
         (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
         (None, Call::Unordered | Call::Container) => order,
     };
-    let members = without_options(arguments);
-    read_quaternion(&members, node.span, order, Place::InCall)
+    let mut members = arguments.clone();
+    members.retain(|entry| !is_scalar_first(entry));
+    read_quaternion(&without_options(&members)?, node.span, order, Place::InCall)
 }
 
 /// `scalar_first=True`, as in `SciPy`'s `from_quat`.
 fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrder>, Fault> {
-    let is_it = |entry: &&Entry<'_>| entry.key.is_some_and(|key| key.name == "scalar_first");
-    let Some(entry) = arguments.iter().find(is_it) else {
+    let Some(entry) = arguments.iter().find(|entry| is_scalar_first(entry)) else {
         return Ok(None);
     };
     match entry.node.truth() {
@@ -198,6 +206,10 @@ fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrde
         Some(false) => Ok(Some(ComponentOrder::ScalarLast)),
         None => Err(Fault::unknown_argument(entry.node.span, "scalar_first")),
     }
+}
+
+fn is_scalar_first(entry: &Entry<'_>) -> bool {
+    entry.key.is_some_and(|key| key.name == "scalar_first")
 }
 
 /// The part of several named ones that is the orientation, as in JSON of a pose; a problem where
@@ -214,6 +226,7 @@ fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Result<Option<&'e Node<'t>>,
     let Some(found) = found.filter(|_| entries.len() > 1) else {
         return Ok(None);
     };
+    without_options(entries)?;
     let is_rotation = |name: &str| is_orientation(name) || constructor::is_other_label(name);
     let other = entries
         .iter()
@@ -231,7 +244,7 @@ pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, 
     {
         match (&only.node.kind, held(&only.node)) {
             (_, Some(inner)) => {
-                return vector(&without_options(inner), only.node.span);
+                return vector(&without_options(inner)?, only.node.span);
             }
             (NodeKind::Call { name, .. }, None) => {
                 return Err(Fault::not_applied(only.node.span, name, Wanted::Vector));

@@ -74,6 +74,7 @@
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
 
+use crate::angle::AngleUnit;
 use crate::announced;
 use crate::calls;
 use crate::convention::ComponentOrder;
@@ -82,9 +83,10 @@ use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
-use crate::names::component;
+use crate::names::{component, without_settings};
 use crate::phrases::{self, Form};
 use crate::problem::{Field, Problem, Span, Wanted};
+use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
 use crate::spoken::{Spoken, spoken};
 use crate::syntax;
@@ -207,17 +209,61 @@ fn rotation(
     span: Span,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
+    let (tokens, settings) = without_settings(tokens)?;
+    let unit = settings.unit.map(|(unit, _)| unit);
+    let rotation = match described(&tokens, text, span, unit)? {
+        Described::Rotation(rotation) => rotation,
+        Described::Quaternion(entries) => {
+            let told = settings.order.map(|(order, _)| order);
+            settings.check_no_unit()?;
+            let quaternion = meaning::quaternion(&entries, span, declared, told)?;
+            // Names have no order that another could contradict.
+            if quaternion.order_source != OrderSource::Named {
+                settings.check_order(Some(quaternion.order))?;
+            }
+            return Ok(ParsedRotation::Quaternion(quaternion));
+        }
+        Described::InItself(rotation) => {
+            settings.check_no_unit()?;
+            rotation
+        }
+    };
+    settings.check_order(None)?;
+    Ok(rotation)
+}
+
+/// What a text is before the order of its numbers matters.
+enum Described<'t> {
+    /// Angles, with what is said of their unit already used.
+    Rotation(ParsedRotation),
+    /// What needs no word for its unit: a call, or a matrix.
+    InItself(ParsedRotation),
+    Quaternion(Vec<Entry<'t>>),
+}
+
+fn described<'t>(
+    tokens: &[Token<'t>],
+    text: &'t str,
+    span: Span,
+    unit: Option<AngleUnit>,
+) -> Result<Described<'t>, Fault> {
     let numbers = match spoken(tokens, text) {
         Spoken::About {
             before,
             word,
             after,
-        } => return announced::about(before, word, after),
+        } => return announced::about(before, word, after, unit).map(Described::Rotation),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
-        Spoken::Parts(parts) => return announced::parts(&parts, span),
+        Spoken::Parts(parts) => {
+            return announced::parts(&parts, span, unit).map(Described::Rotation);
+        }
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,
-            Some(form) => return announced::announced(&announcement, form, rest, text),
+            Some(form) => {
+                let announcement = announcement.with_unit(unit)?;
+                return announced::announced(&announcement, form, rest, text)
+                    .map(Described::Rotation);
+            }
         },
         Spoken::Nothing => tokens,
     };
@@ -225,17 +271,17 @@ fn rotation(
     let is_announced = numbers.len() < tokens.len();
     if !is_announced {
         if let Some(rotation) = announced::angle_beside_axis(&entries)? {
-            return Ok(rotation);
+            return Ok(Described::InItself(rotation));
         }
         if let Some(first) = phrases::sequence_among_numbers(&entries) {
             return Err(Fault::sequence_or_number(first));
         }
     }
     if let Some(rotation) = calls::rotation(&entries)? {
-        return Ok(rotation);
+        return Ok(Described::InItself(rotation));
     }
     if let Some(matrix) = matrix_rows::unannounced(&without_name(&entries), span)? {
-        return Ok(ParsedRotation::Matrix(matrix));
+        return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
     }
     if let [first, _, ..] = &entries[..]
         && first.key.is_none()
@@ -243,7 +289,7 @@ fn rotation(
     {
         return Err(Fault::unknown_keyword(first.node.span, word));
     }
-    meaning::quaternion(&entries, span, declared).map(ParsedRotation::Quaternion)
+    Ok(Described::Quaternion(entries))
 }
 
 /// The members without the name of the whole, as in `R = [[…], […], […]]`.

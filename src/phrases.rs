@@ -188,7 +188,7 @@ pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<u
 
 /// The place of `321` in `321 30 20 10`, which is a sequence with its angles or a quaternion.
 pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
-    let entries = members(entries);
+    let entries = members(entries).ok()?;
     let [first, ..] = &entries[..] else {
         return None;
     };

@@ -109,7 +109,7 @@ pub(crate) const THREE_NUMBERS: &str = "three numbers: the axis times the angle"
 
 /// Three numbers that may have units, in any brackets.
 pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
     check_separators(&entries, span)?;
     let angles: Vec<Angle> = entries
         .iter()

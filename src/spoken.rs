@@ -299,6 +299,17 @@ impl<'t> Announcement<'t> {
         Some(length)
     }
 
+    /// With the unit that a named word says besides.
+    pub(crate) fn with_unit(self, unit: Option<AngleUnit>) -> Result<Self, Fault> {
+        match (self.unit, unit) {
+            (Some(own), Some(other)) if own != other => Err(Fault::mixed_units(self.span)),
+            (own, other) => Ok(Self {
+                unit: own.or(other),
+                ..self
+            }),
+        }
+    }
+
     fn set_sequence(&mut self, sequence: Sequence<'t>) {
         self.sequence = Some(sequence);
         self.form = Some(Form::Euler);

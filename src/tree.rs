@@ -32,7 +32,7 @@ pub(crate) struct Entry<'t> {
     pub(crate) loose_sign: Option<Span>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Key<'t> {
     /// The label before it, such as `orientation:` above `x: 0`.
     pub(crate) heading: Option<&'t str>,

@@ -41,6 +41,18 @@ fn roll_pitch_and_yaw() {
         ),
         ("rpy=[0.1, 0.2, 0.3]", "xyz", SMALL, AS_RADIANS),
         (r#"{"rpy": [0.1, 0.2, 0.3]}"#, "xyz", SMALL, AS_RADIANS),
+        (
+            r#"{"rpy": [10, 20, 30], "unit": "deg"}"#,
+            "xyz",
+            RPY,
+            DEGREES,
+        ),
+        (
+            r#"{"unit": "deg", "frame_id": "map", "rpy": [10, 20, 30]}"#,
+            "xyz",
+            RPY,
+            DEGREES,
+        ),
         ("rpy (deg): 10, 20, 30", "xyz", RPY, DEGREES),
         ("imu_rpy_deg = [10, 20, 30]", "xyz", RPY, DEGREES),
         ("roll pitch yaw 10 20 30", "xyz", RPY, AS_DEGREES),

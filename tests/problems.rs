@@ -355,6 +355,88 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         ProblemCode::MixedNames,
         "[1, 0, 0]",
     ),
+    // Words that may change the numbers.
+    (
+        "ZYX 30 20 10, frame=extrinsic",
+        ProblemCode::UnknownComponent,
+        "frame",
+    ),
+    (
+        "RPY(0.1, 0.2, 0.3, order='xyz')",
+        ProblemCode::UnknownComponent,
+        "order",
+    ),
+    (
+        "rpy: [1, 2, 3]\nconvention: intrinsic",
+        ProblemCode::UnknownComponent,
+        "convention",
+    ),
+    (
+        r#"{"matrix": [0,-1,0,1,0,0,0,0,1], "layout": "column-major"}"#,
+        ProblemCode::UnknownComponent,
+        r#""layout""#,
+    ),
+    (
+        "np.array([[0,-1,0],[1,0,0],[0,0,1]], order='F')",
+        ProblemCode::UnknownComponent,
+        "order",
+    ),
+    (
+        "[[0,-1,0],[1,0,0],[0,0,1]], transpose=true",
+        ProblemCode::UnknownComponent,
+        "transpose",
+    ),
+    (
+        "matrix 0 -1 0 1 0 0 0 0 s=1",
+        ProblemCode::UnknownComponent,
+        "s",
+    ),
+    (
+        r#"{"w": 1, "x": 0, "y": 0, "z": 0, "handedness": "left"}"#,
+        ProblemCode::UnknownComponent,
+        r#""handedness""#,
+    ),
+    (
+        r#"{"rotation": [1, 0, 0, 0], "handedness": "left"}"#,
+        ProblemCode::UnknownComponent,
+        r#""handedness""#,
+    ),
+    (
+        r#"{"rotation": [1, 0, 0, 0], "unit": "deg"}"#,
+        ProblemCode::UnknownComponent,
+        r#""unit""#,
+    ),
+    (
+        r#"{"w": 1, "x": 0, "y": 0, "z": 0, "type": "JPL"}"#,
+        ProblemCode::UnknownComponent,
+        r#""type""#,
+    ),
+    (
+        r#"{"rpy": [1, 2, 3], "unit": "turns"}"#,
+        ProblemCode::UnknownComponent,
+        r#""unit""#,
+    ),
+    (
+        r#"{"rpy": [1, 2, 3], "order": "xyzw"}"#,
+        ProblemCode::UnknownComponent,
+        r#""order""#,
+    ),
+    (
+        "Eigen::Quaterniond(1, 0, 0, 0), order=xyzw",
+        ProblemCode::UnknownComponent,
+        "order",
+    ),
+    (
+        "q_wxyz = [1, 0, 0, 0], order=xyzw",
+        ProblemCode::UnknownComponent,
+        "q_wxyz",
+    ),
+    ("45deg about z, unit=rad", ProblemCode::MixedUnits, "45deg"),
+    (
+        "rpy: 1 2 3\nunit: deg\nunits: rad",
+        ProblemCode::MixedUnits,
+        "units: rad",
+    ),
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -58,6 +58,18 @@ fn an_angle_about_an_axis() {
         ),
         ("(45deg about z)", Z, FRAC_PI_4, DEGREES),
         ("45deg [0 0 1]", Z, FRAC_PI_4, DEGREES),
+        ("1 about z, unit=deg", Z, PI / 180.0, DEGREES),
+        (
+            r#"{"axis": [0, 0, 1], "angle": 1, "unit": "deg"}"#,
+            Z,
+            PI / 180.0,
+            DEGREES,
+        ),
+        ("45º about z", Z, FRAC_PI_4, DEGREES),
+        ("45˚ about z", Z, FRAC_PI_4, DEGREES),
+        ("45 Deg about z", Z, FRAC_PI_4, DEGREES),
+        ("45 DEG about z", Z, FRAC_PI_4, DEGREES),
+        ("2 RAD about z", Z, 2.0, RADIANS),
         ("(z, 45°)", Z, FRAC_PI_4, DEGREES),
     ]);
 }
@@ -200,6 +212,16 @@ fn a_rotation_vector() {
         ("rotvec: {x: 0, y: 0, z: 7}", [0.0, 0.0, 7.0], AS_RADIANS),
         ("rotvec = [0, 0, 7]", [0.0, 0.0, 7.0], AS_RADIANS),
         ("rotvec [0, 0, pi]", [0.0, 0.0, PI], RADIANS),
+        (
+            "rotvec(0, 0, 45, degrees=True)",
+            [0.0, 0.0, FRAC_PI_4],
+            DEGREES,
+        ),
+        (
+            r#"{"rotvec": [0, 0, 45], "units": "degrees"}"#,
+            [0.0, 0.0, FRAC_PI_4],
+            DEGREES,
+        ),
         ("rotvec 0 0 45deg", [0.0, 0.0, FRAC_PI_4], DEGREES),
         ("rotvec 30° -45° 0", [FRAC_PI_6, -FRAC_PI_4, 0.0], DEGREES),
         ("rotvec [30 0 45] deg", [FRAC_PI_6, 0.0, FRAC_PI_4], DEGREES),

@@ -1,7 +1,7 @@
 //! What is announced in words to a rotation.
 
 use crate::angle::AngleUnit;
-use crate::angles::{self, UnitRule};
+use crate::angles::{self, Angle, UnitRule};
 use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
 use crate::calls;
 use crate::euler_sequence::EulerSequence;
@@ -76,7 +76,7 @@ pub(crate) fn parts(
         let axis = find(Part::Axis).ok_or_else(|| Fault::no_axis(end))?;
         let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
         let axis = axis::axis(axis.tokens, axis.label)?;
-        let angle = axis::angle(angle.tokens, angle.label)?;
+        let angle = angle_of(angle, angle.tokens)?;
         return representation::axis_angle(axis, angle, angles::rule(for_all, UnitRule::Magnitude));
     }
     let names = [Part::Roll, Part::Pitch, Part::Yaw];
@@ -90,7 +90,7 @@ pub(crate) fn parts(
     let (last_number, unit) = angles::without_unit(trimmed(last));
     let angle = |part: &SpokenPart<'_, '_>| {
         let is_last = std::ptr::eq(part.tokens, last);
-        axis::angle(if is_last { last_number } else { part.tokens }, part.label)
+        angle_of(part, if is_last { last_number } else { part.tokens })
     };
     let angles = [angle(roll)?, angle(pitch)?, angle(yaw)?];
     if let (Some(one), Some(other)) = (unit, for_all)
@@ -100,6 +100,15 @@ pub(crate) fn parts(
     }
     let rule = angles::rule(unit.or(for_all), UnitRule::Magnitude);
     euler_angles(EulerSequence::ROLL_PITCH_YAW, angles, rule)
+}
+
+/// The angle that tokens are, in the unit that the name of the part says.
+fn angle_of(part: &SpokenPart<'_, '_>, tokens: &[Token<'_>]) -> Result<Angle, Fault> {
+    let (value, span) = axis::angle(tokens, part.label)?;
+    match part.unit {
+        Some(unit) => Ok((value.angle(unit, span)?, span)),
+        None => Ok((value, span)),
+    }
 }
 
 fn is_of_turn(part: Part) -> bool {

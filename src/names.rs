@@ -1,7 +1,7 @@
 //! Members with names: which component each is, and which of several values is meant.
 
 use crate::angle::AngleUnit;
-use crate::constructor::order_in_name;
+use crate::constructor::{is_derived_label, order_in_name};
 use crate::convention::ComponentOrder;
 use crate::lex::{Token, TokenKind, last_segment};
 use crate::messages::Fault;
@@ -271,6 +271,15 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         .collect();
     let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
     if bounds.len() == 2 {
+        let key = entries.first().and_then(|entry| entry.key);
+        if let Some(key) = key
+            && key.heading.is_some_and(is_derived_label)
+        {
+            return Err(Fault::derived_label(
+                key.span,
+                key.heading.unwrap_or(key.name),
+            ));
+        }
         return Ok(entries);
     }
     let is_orientation = |group: &&[Entry<'t>]| {

@@ -253,6 +253,7 @@ fn described<'t>(
             word,
             after,
         } => return announced::about(before, word, after, unit).map(Described::Rotation),
+        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
         Spoken::Parts(parts) => {
             return announced::parts(&parts, span, unit).map(Described::Rotation);

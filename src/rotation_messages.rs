@@ -59,6 +59,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn derived_label(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{name} names what was made of a rotation: a rate, a spread, an inverse"),
+            "the numbers of the rotation itself",
+            "write them without this name if they are what you want to read",
+        )
+    }
+
     pub(crate) fn axis_angle_or_quaternion(span: Span) -> Self {
         Self::new(
             ProblemCode::Unexpected,

@@ -23,6 +23,7 @@ const CASES: &[(&str, &str)] = cases![
     "a-constructor-without-its-axis",
     "a-conversion-by-name",
     "a-function-of-units",
+    "a-label-of-rates",
     "a-long-line",
     "a-matrix-of-unknown-layout",
     "a-method-after-the-value",
@@ -436,6 +437,64 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         "rpy: 1 2 3\nunit: deg\nunits: rad",
         ProblemCode::MixedUnits,
         "units: rad",
+    ),
+    // Labels that only contain a word.
+    ("rpy_rate: 1 2 3", ProblemCode::UnknownWord, "rpy_rate"),
+    (
+        "rpy_rate (deg): 1 2 3",
+        ProblemCode::UnknownWord,
+        "rpy_rate",
+    ),
+    (
+        "rpy_std_deg = [1, 2, 3]",
+        ProblemCode::UnknownWord,
+        "rpy_std_deg",
+    ),
+    ("ypr_cov: 1 2 3", ProblemCode::UnknownWord, "ypr_cov"),
+    (
+        "euler_rates: ZYX 1 2 3",
+        ProblemCode::UnknownWord,
+        "euler_rates",
+    ),
+    (
+        "rotvec_of_a: 1 2 3",
+        ProblemCode::UnknownWord,
+        "rotvec_of_a",
+    ),
+    (
+        "inverse_matrix = [[0,-1,0],[1,0,0],[0,0,1]]",
+        ProblemCode::UnknownWord,
+        "inverse_matrix",
+    ),
+    (
+        "R.T = [[0,-1,0],[1,0,0],[0,0,1]]",
+        ProblemCode::UnknownWord,
+        "R.T",
+    ),
+    (
+        r#"{"q_dot": {"w": 1, "x": 0, "y": 0, "z": 0}}"#,
+        ProblemCode::UnknownWord,
+        r#""q_dot""#,
+    ),
+    (
+        "q_dot:\n w: 1\n x: 0\n y: 0\n z: 0",
+        ProblemCode::UnknownWord,
+        "w",
+    ),
+    (
+        "rpy_deg (rad): 1 2 3",
+        ProblemCode::MixedUnits,
+        "rpy_deg (rad):",
+    ),
+    (
+        "rpy (deg) (rad) 1 2 3",
+        ProblemCode::MixedUnits,
+        "rpy (deg) (rad)",
+    ),
+    (
+        "roll_deg=10 pitch_rad=0.2 yaw_deg=30",
+        ProblemCode::MixedUnits,
+        "0.2",
     ),
 ];
 

@@ -90,7 +90,7 @@ impl Fault {
             ),
             Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
         };
-        let message = if wanted == Wanted::Quaternion && found > 5 {
+        let message = if wanted == Wanted::Quaternion && found > 5 && found != 9 {
             format!("{found} numbers are no quaternion, which has 4, and no matrix, which has 9")
         } else {
             format!("{} in place of {}", numbers(found), wanted.count())
@@ -180,6 +180,16 @@ impl Fault {
             "these are several values in place of one angle",
             "one angle, such as 45deg, 0.785 or pi/4",
             "keep the angle alone",
+        )
+    }
+
+    pub(crate) fn decimal_comma(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a comma stands in this angle, and it separates numbers here",
+            "one angle, such as 45.5deg",
+            "write a point for the decimal sign",
         )
     }
 

@@ -159,7 +159,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             name,
             takes: known
                 .map(|(_, takes)| *takes)
-                .or_else(|| is_matrix(name).then_some(RowsOrColumns)),
+                .or_else(|| constructor::is_matrix(name).then_some(RowsOrColumns)),
             positional: unnamed.map(|entry| &entry.node).collect(),
             named: named.collect(),
             span,
@@ -204,12 +204,12 @@ impl<'e, 't> RotationCall<'e, 't> {
                 let [angle, axis] = self.positional[..] else {
                     return Err(self.arguments("an angle in radians and an axis"));
                 };
-                self.axis_angle(axis, angle, Length::One)
+                self.axis_angle(axis, angle, takes)
             }
             AxisThenAngle | AnyAxisThenAngle => match self.positional[..] {
                 [axis, angle] if held(axis).is_some() || !makes_a_quaternion => {
                     self.check_names(&[])?;
-                    self.axis_angle(axis, angle, Length::of(takes))
+                    self.axis_angle(axis, angle, takes)
                 }
                 _ if makes_a_quaternion => return Ok(None),
                 _ => return Err(self.arguments("an axis and an angle in radians")),
@@ -272,12 +272,12 @@ impl<'e, 't> RotationCall<'e, 't> {
         &self,
         axis: &Node<'_>,
         angle: &Node<'_>,
-        length: Length,
+        takes: Takes,
     ) -> Result<ParsedRotation, Fault> {
         let angle = (angle.angle()?, angle.span);
         let vector = axis_of_node(axis)?;
         let is_unit = (vector.norm() - 1.0).abs() <= ROUNDED_LENGTH;
-        if length == Length::One && !is_unit {
+        if takes != AnyAxisThenAngle && !is_unit {
             return Err(Fault::axis_not_normalised(axis.span, self.name));
         }
         representation::axis_angle(vector, angle, RADIANS)
@@ -388,29 +388,6 @@ impl<'e, 't> RotationCall<'e, 't> {
 }
 
 const RADIANS: UnitRule = UnitRule::Library(AngleUnit::Radians);
-
-/// Whether the axis of a call must be of length 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Length {
-    One,
-    Any,
-}
-
-impl Length {
-    fn of(takes: Takes) -> Self {
-        if takes == AnyAxisThenAngle {
-            Self::Any
-        } else {
-            Self::One
-        }
-    }
-}
-
-/// `Matrix3d`, `glm::mat3`, `pyrr.Matrix33`: which of its numbers are a row is not known.
-fn is_matrix(name: &str) -> bool {
-    let lower = name.to_ascii_lowercase();
-    ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
-}
 
 /// `'z'`, as in `from_euler('z', 90, degrees=True)`
 fn single_axis(node: &Node<'_>) -> Option<nalgebra::Vector3<f64>> {

@@ -124,6 +124,12 @@ fn names_both_orders(name: &str) -> bool {
     lower.contains("xyzw") && lower.replacen("xyzw", " ", 1).contains("wxyz")
 }
 
+/// `Matrix3d`, `glm::mat3`, `pyrr.Matrix33`: which of its numbers are a row is not known.
+pub(crate) fn is_matrix(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
+}
+
 /// Words of a label that say that it is no attitude itself, or is that of the opposite turn.
 const DERIVED: [&str; 23] = [
     "acceleration",

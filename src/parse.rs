@@ -14,7 +14,7 @@
 //! | a sum of units, in any order | `0.92 + 0.38k`, `k sin(pi/8) + cos(pi/8)` |
 //! | scalar and vector | `0.92 [0, 0, 0.38]`, `[[0, 0, 0.38], 0.92]` |
 //! | a constructor call | `Eigen::Quaterniond(0.92, 0, 0, 0.38)`, `Rotation.from_quat([0, 0, 0.38, 0.92])` |
-//! | axis and angle | `45deg about z`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
+//! | axis and angle | `45deg about z`, `45deg [0, 0, 1]`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
 //! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
 //! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
@@ -27,6 +27,13 @@
 //! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
 //! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
 //! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//!
+//! # Named words beside the numbers
+//!
+//! `unit`, `degrees`, `order` and `format` with a value that is known here count for all the numbers.
+//! What programs print besides (`frame_id`, `dtype`, …) is read past. Any other named word, such as
+//! `layout` or `handedness`, may change the numbers and is refused; so is a label such as `rpy_rate`
+//! or `R.T`, and a text with two rotations.
 //!
 //! # Which sequence
 //!

@@ -15,6 +15,17 @@ pub enum AngleUnit {
     Radians,
 }
 
+impl AngleUnit {
+    /// The unit with this name in small letters; `º` is the sign of an ordinal, typed for a degree.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        match name {
+            "deg" | "degree" | "degrees" | "°" | "º" => Some(Self::Degrees),
+            "rad" | "radian" | "radians" => Some(Self::Radians),
+            _ => None,
+        }
+    }
+}
+
 /// How the unit of an angle was told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum UnitSource {
@@ -45,9 +56,22 @@ pub(crate) fn degrees_in_radians(degrees: f64) -> f64 {
     degrees / 180.0 * std::f64::consts::PI
 }
 
+/// Two turns, after which even a quaternion is what it was.
+const TWO_TURNS_DEG: f64 = 720.0;
+
+/// The angle of a turn by so many degrees, in radians: what is beyond two turns is left out, which
+/// is exact here and would not be in radians.
+pub(crate) fn turn_in_radians(degrees: f64) -> f64 {
+    degrees_in_radians(if degrees.abs() > TWO_TURNS_DEG {
+        libm::fmod(degrees, TWO_TURNS_DEG)
+    } else {
+        degrees
+    })
+}
+
 #[cfg(test)]
 mod tests {
-    use super::degrees_in_radians;
+    use super::{degrees_in_radians, turn_in_radians};
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
     #[test]
@@ -63,6 +87,13 @@ mod tests {
         for (degrees, radians) in cases {
             assert_eq!(degrees_in_radians(degrees), radians, "{degrees}");
         }
+    }
+
+    #[test]
+    fn many_turns_lose_no_digits() {
+        assert_eq!(turn_in_radians(720e12 + 90.0), FRAC_PI_2);
+        assert_eq!(turn_in_radians(-720e12 - 90.0), -FRAC_PI_2);
+        assert_eq!(turn_in_radians(720.0), 2.0 * TAU);
     }
 
     #[test]

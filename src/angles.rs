@@ -5,7 +5,9 @@ use crate::lex::{Token, TokenKind};
 use crate::linear::{Linear, Quantity};
 use crate::messages::Fault;
 use crate::problem::Span;
-use std::f64::consts::TAU;
+
+/// A full turn in radians as people round it: 6.28, 6.283, 6.2832.
+const FULL_TURN_RAD: f64 = 6.29;
 
 /// A number where an angle is wanted, and its place.
 pub(crate) type Angle = (Linear, Span);
@@ -23,17 +25,32 @@ pub(crate) enum UnitRule {
     Magnitude,
 }
 
+/// What the angles of one rotation are: turns, of which many are as good as none, or lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Of {
+    Turns,
+    Vector,
+}
+
 /// All the angles of one rotation in radians, and how their unit was told.
 pub(crate) fn in_radians<const COUNT: usize>(
     angles: [Angle; COUNT],
+    of: Of,
     rule: UnitRule,
 ) -> Result<([f64; COUNT], UnitSource), Fault> {
     let source = unit_source(&angles, rule)?;
     let mut radians = [0.0; COUNT];
     for (radians, (value, span)) in radians.iter_mut().zip(angles) {
-        *radians = match (value.quantity, source.unit()) {
-            (Quantity::Angle(_), _) | (_, AngleUnit::Radians) => value.scalar,
-            (_, AngleUnit::Degrees) => value.angle(AngleUnit::Degrees, span)?.scalar,
+        let value = match (value.quantity, source.unit()) {
+            (Quantity::Angle(_), _) | (_, AngleUnit::Radians) => value,
+            (_, AngleUnit::Degrees) => value.angle(AngleUnit::Degrees, span)?,
+        };
+        if value.scalar != 0.0 && value.radians().scalar == 0.0 {
+            return Err(Fault::too_small(span));
+        }
+        *radians = match of {
+            Of::Turns => value.turn().scalar,
+            Of::Vector => value.radians().scalar,
         };
     }
     Ok((radians, source))
@@ -53,7 +70,11 @@ fn unit_source(angles: &[Angle], rule: UnitRule) -> Result<UnitSource, Fault> {
         UnitRule::ForAll(unit) | UnitRule::Library(unit) => UnitSource::Written(unit),
         _ if angles.iter().any(is_of_pi) => UnitSource::Written(AngleUnit::Radians),
         UnitRule::Custom(unit) => UnitSource::Assumed(unit),
-        UnitRule::Magnitude if angles.iter().all(|(value, _)| value.scalar.abs() <= TAU) => {
+        UnitRule::Magnitude
+            if angles
+                .iter()
+                .all(|(value, _)| value.scalar.abs() <= FULL_TURN_RAD) =>
+        {
             UnitSource::Assumed(AngleUnit::Radians)
         }
         UnitRule::Magnitude => UnitSource::Assumed(AngleUnit::Degrees),

@@ -1,12 +1,12 @@
 //! What is announced in words to a rotation.
 
 use crate::angle::AngleUnit;
-use crate::angles::{self, UnitRule};
+use crate::angles::{self, Angle, UnitRule};
 use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
 use crate::calls;
 use crate::euler_sequence::EulerSequence;
 use crate::lex::{self, Token, TokenKind};
-use crate::linear::Linear;
+use crate::linear::{Linear, Quantity};
 use crate::matrix_rows;
 use crate::meaning;
 use crate::messages::Fault;
@@ -25,6 +25,7 @@ pub(crate) fn about(
     before: &[Token<'_>],
     word: Span,
     after: &[Token<'_>],
+    unit: Option<AngleUnit>,
 ) -> Result<ParsedRotation, Fault> {
     let before = without_verbs(before);
     let is_by = |token: &Token<'_>| token.kind == TokenKind::Word && token.text == "by";
@@ -38,7 +39,7 @@ pub(crate) fn about(
     }
     let angle = axis::angle(angle, at)?;
     let axis = axis::axis(axis, word)?;
-    representation::axis_angle(axis, angle, UnitRule::Magnitude)
+    representation::axis_angle(axis, angle, angles::rule(unit, UnitRule::Magnitude))
 }
 
 /// `rotate by 45deg`, `rotation of 45deg`, `a turn by 45deg`
@@ -56,7 +57,11 @@ fn without_verbs<'s, 't>(mut tokens: &'s [Token<'t>]) -> &'s [Token<'t>] {
 }
 
 /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
-pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRotation, Fault> {
+pub(crate) fn parts(
+    parts: &[SpokenPart<'_, '_>],
+    span: Span,
+    for_all: Option<AngleUnit>,
+) -> Result<ParsedRotation, Fault> {
     for (at, part) in parts.iter().enumerate() {
         if is_of_turn(part.part) != is_of_turn(parts[0].part) {
             return Err(Fault::mixed_parts(part.label));
@@ -71,8 +76,8 @@ pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRo
         let axis = find(Part::Axis).ok_or_else(|| Fault::no_axis(end))?;
         let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
         let axis = axis::axis(axis.tokens, axis.label)?;
-        let angle = axis::angle(angle.tokens, angle.label)?;
-        return representation::axis_angle(axis, angle, UnitRule::Magnitude);
+        let angle = angle_of(angle, angle.tokens)?;
+        return representation::axis_angle(axis, angle, angles::rule(for_all, UnitRule::Magnitude));
     }
     let names = [Part::Roll, Part::Pitch, Part::Yaw];
     let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
@@ -85,11 +90,25 @@ pub(crate) fn parts(parts: &[SpokenPart<'_, '_>], span: Span) -> Result<ParsedRo
     let (last_number, unit) = angles::without_unit(trimmed(last));
     let angle = |part: &SpokenPart<'_, '_>| {
         let is_last = std::ptr::eq(part.tokens, last);
-        axis::angle(if is_last { last_number } else { part.tokens }, part.label)
+        angle_of(part, if is_last { last_number } else { part.tokens })
     };
     let angles = [angle(roll)?, angle(pitch)?, angle(yaw)?];
-    let rule = angles::rule(unit, UnitRule::Magnitude);
+    if let (Some(one), Some(other)) = (unit, for_all)
+        && one != other
+    {
+        return Err(Fault::mixed_units(span));
+    }
+    let rule = angles::rule(unit.or(for_all), UnitRule::Magnitude);
     euler_angles(EulerSequence::ROLL_PITCH_YAW, angles, rule)
+}
+
+/// The angle that tokens are, in the unit that the name of the part says.
+fn angle_of(part: &SpokenPart<'_, '_>, tokens: &[Token<'_>]) -> Result<Angle, Fault> {
+    let (value, span) = axis::angle(tokens, part.label)?;
+    match part.unit {
+        Some(unit) => Ok((value.angle(unit, span)?, span)),
+        None => Ok((value, span)),
+    }
 }
 
 fn is_of_turn(part: Part) -> bool {
@@ -109,12 +128,15 @@ pub(crate) fn announced(
         && matches!(open.kind, TokenKind::Open(_))
         && let Some(rotation) = calls::rotation(&syntax::entries(rest)?)?
     {
-        return Ok(rotation);
+        return match announcement.unit {
+            Some(_) => Err(Fault::mixed_units(announcement.span)),
+            None => Ok(rotation),
+        };
     }
     if matches!(form, Form::Euler | Form::AxisAngle)
         && let Some(found) = spoken::parts(spoken::inside(rest).unwrap_or(rest))
     {
-        return parts(&found, span_of(rest, announcement.span));
+        return parts(&found, span_of(rest, announcement.span), announcement.unit);
     }
     let (rest, unit) = angles::without_unit(rest);
     if let (Some(before), Some(after)) = (announcement.unit, unit)
@@ -128,12 +150,15 @@ pub(crate) fn announced(
     let radians = UnitRule::Custom(AngleUnit::Radians);
     match form {
         Form::Matrix => {
+            if unit.is_some() {
+                return Err(Fault::mixed_units(announcement.span));
+            }
             let entries = syntax::entries(rest)?;
             matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)
         }
         Form::RotationVector => {
             let entries = syntax::entries(rest)?;
-            if members(&entries).iter().any(|entry| entry.key.is_some()) {
+            if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
                 let part = |number| (Linear::real(number), span);
                 let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
                 return rotation_vector(vector.map(part), rule(radians));
@@ -155,6 +180,30 @@ pub(crate) fn announced(
             axis_angle(rest, span, form, rule(UnitRule::Magnitude))
         }
     }
+}
+
+/// `45deg [0, 0, 1]`, `(z, 45deg)`: a unit tells which of the two is the angle.
+pub(crate) fn angle_beside_axis(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
+    let is_angle = |entry: &Entry<'_>| {
+        matches!(
+            entry.node.kind,
+            NodeKind::Value(Linear {
+                quantity: Quantity::Angle(_),
+                ..
+            })
+        )
+    };
+    let is_axis = |entry: &Entry<'_>| !matches!(entry.node.kind, NodeKind::Value(_));
+    let Ok(members) = members(entries) else {
+        return Ok(None);
+    };
+    let (angle, axis) = match &members[..] {
+        [one, two] if one.key.is_some() || two.key.is_some() => return Ok(None),
+        [angle, axis] | [axis, angle] if is_angle(angle) && is_axis(axis) => (angle, axis),
+        _ => return Ok(None),
+    };
+    let angle = (angle.node.angle()?, angle.node.span);
+    representation::axis_angle(axis_of_node(&axis.node)?, angle, UnitRule::Magnitude).map(Some)
 }
 
 /// The tokens inside quotes around all the numbers: `rpy="0.1 0.2 0.3"`.
@@ -180,7 +229,7 @@ fn axis_angle(
         let angle = axis::angle(rest, span)?;
         return representation::axis_angle(axis, angle, rule);
     }
-    let entries = members(&syntax::entries(tokens)?);
+    let entries = members(&syntax::entries(tokens)?)?;
     if let Some(named) = entries.iter().find_map(|entry| entry.key) {
         return Err(Fault::unknown_argument(named.span, named.name));
     }

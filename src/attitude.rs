@@ -18,7 +18,7 @@ use crate::report::{
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::{MatrixConvention, TaggedMatrix};
-use crate::scaling::UNIT_ROUNDOFF;
+use crate::scaling::{UNIT_ROUNDOFF, times_power_of_two, working_scale};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use std::f64::consts::TAU;
 
@@ -264,7 +264,11 @@ fn of_matrix(
         })
         .is_ok_and(|nearest| nearest.correction <= LARGEST_CORRECTION)
     };
-    let lengths = [0, 1, 2].map(|column| entries.column(column).norm());
+    // Divided by a power of two, so that no length overflows or vanishes.
+    let exponent = working_scale(entries.as_slice());
+    let scaled = entries.map(|entry| times_power_of_two(entry, exponent));
+    let scaled_lengths = [0, 1, 2].map(|column| scaled.column(column).norm());
+    let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
     let nearest = Rotation::nearest_to_matrix(&typed).map_err(|reason| match reason {
         NoNearestRotation::Reflection if is_near(-entries) => Fault::reflection(span),
         NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths),
@@ -273,9 +277,9 @@ fn of_matrix(
         NoNearestRotation::Singular => Fault::singular_matrix(span),
     })?;
     if nearest.correction > LARGEST_CORRECTION {
-        let scale = lengths.iter().sum::<f64>() / 3.0;
-        return Err(if is_near(entries / scale) {
-            Fault::scaled_rotation(span, scale)
+        let scale = scaled_lengths.iter().sum::<f64>() / 3.0;
+        return Err(if is_near(scaled / scale) {
+            Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
         } else {
             Fault::not_a_rotation(span, lengths)
         });

@@ -154,17 +154,23 @@ pub(crate) fn alone<'t>(node: &Node<'t>) -> Entry<'t> {
     }
 }
 
+/// `45,5`: one comma and no space.
+fn is_decimal_comma(whole: &Entry<'_>, part: &Entry<'_>) -> bool {
+    part.lead == Lead::AfterComma && part.node.span.start == whole.node.span.end + 1
+}
+
 /// The one angle that all these tokens are.
 pub(crate) fn angle(tokens: &[Token<'_>], before: Span) -> Result<Angle, Fault> {
     let (tokens, unit) = angles::without_unit(trimmed(tokens));
     let span = span_of(tokens, before);
-    match &members(&syntax::entries(tokens)?)[..] {
+    match &members(&syntax::entries(tokens)?)?[..] {
         [] => Err(Fault::no_angle(span)),
         [only] if only.key.is_none() => {
             let value = only.node.angle()?;
             let value = unit.map_or(Ok(value), |unit| value.angle(unit, span))?;
             Ok((value, only.node.span))
         }
+        [whole, part] if is_decimal_comma(whole, part) => Err(Fault::decimal_comma(span)),
         _ => Err(Fault::one_angle(span)),
     }
 }

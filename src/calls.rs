@@ -19,11 +19,18 @@ use crate::representation::{
 };
 use crate::tree::{Entry, Key, Node, NodeKind};
 
+/// How far from 1 the length of an axis may be that was rounded to three decimals.
+const ROUNDED_LENGTH: f64 = 1e-3;
+
 /// What a call takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Takes {
+    /// Of an axis that is not of length 1 the library makes no rotation.
     AngleThenAxis,
+    /// Alike.
     AxisThenAngle,
+    /// The library divides the axis by its length.
+    AnyAxisThenAngle,
     RotationVector,
     /// The letters of a sequence, and as many angles: `SciPy`, glam.
     SequenceThenAngles,
@@ -33,13 +40,15 @@ enum Takes {
     ThreeEuler,
     Angles(EulerSequence),
     Matrix,
+    /// Numbers row by row in one library and column by column in another.
+    RowsOrColumns,
     /// Any rotation, of which it makes another description.
     Rotation,
 }
 
 use Takes::{
-    AngleThenAxis, Angles, AnglesThenAxes, AxisThenAngle, Matrix, Rotation, RotationVector,
-    SequenceThenAngles, ThreeEuler,
+    AngleThenAxis, Angles, AnglesThenAxes, AnyAxisThenAngle, AxisThenAngle, Matrix, Rotation,
+    RotationVector, RowsOrColumns, SequenceThenAngles, ThreeEuler,
 };
 
 const ROLL_PITCH_YAW: Takes = Angles(EulerSequence::ROLL_PITCH_YAW);
@@ -51,16 +60,16 @@ const CALLS: &[(&str, Takes)] = &[
     ("AngleAxisf", AngleThenAxis),
     ("Eigen.AngleAxis", AngleThenAxis),
     ("glm.angleAxis", AngleThenAxis),
-    // three.js, Babylon.js, CesiumJS, glam, nalgebra, Blender, ROS tf, Bullet
+    // three.js, glam, nalgebra, and those that normalise: Babylon.js, CesiumJS, Blender, ROS tf, Bullet
     ("setFromAxisAngle", AxisThenAngle),
     ("makeRotationAxis", AxisThenAngle),
-    ("BABYLON.Quaternion.RotationAxis", AxisThenAngle),
-    ("Cesium.Quaternion.fromAxisAngle", AxisThenAngle),
+    ("BABYLON.Quaternion.RotationAxis", AnyAxisThenAngle),
+    ("Cesium.Quaternion.fromAxisAngle", AnyAxisThenAngle),
     ("from_axis_angle", AxisThenAngle),
-    ("mathutils.Quaternion", AxisThenAngle),
-    ("tf.Quaternion", AxisThenAngle),
-    ("tf2.Quaternion", AxisThenAngle),
-    ("btQuaternion", AxisThenAngle),
+    ("mathutils.Quaternion", AnyAxisThenAngle),
+    ("tf.Quaternion", AnyAxisThenAngle),
+    ("tf2.Quaternion", AnyAxisThenAngle),
+    ("btQuaternion", AnyAxisThenAngle),
     // SciPy, numpy-quaternion, nalgebra and glam, OpenCV
     ("from_rotvec", RotationVector),
     ("from_rotation_vector", RotationVector),
@@ -78,6 +87,7 @@ const CALLS: &[(&str, Takes)] = &[
     ("transforms3d.euler.euler2mat", AnglesThenAxes),
     // KDL, nalgebra, PyBullet, three.js
     ("KDL.Rotation.RPY", ROLL_PITCH_YAW),
+    ("PyKDL.Rotation.RPY", ROLL_PITCH_YAW),
     ("UnitQuaternion.from_euler_angles", ROLL_PITCH_YAW),
     ("Rotation3.from_euler_angles", ROLL_PITCH_YAW),
     ("getQuaternionFromEuler", ROLL_PITCH_YAW),
@@ -89,10 +99,13 @@ const CALLS: &[(&str, Takes)] = &[
     ("np.matrix", Matrix),
     ("numpy.matrix", Matrix),
     ("sympy.Matrix", Matrix),
-    ("Matrix3d", Matrix),
-    ("Matrix3f", Matrix),
-    ("Matrix3.new", Matrix),
-    ("Matrix3x3", Matrix),
+    ("Eigen.Matrix3d", Matrix),
+    ("Eigen.Matrix3f", Matrix),
+    ("nalgebra.Matrix3.new", Matrix),
+    ("na.Matrix3.new", Matrix),
+    ("tf.Matrix3x3", Matrix),
+    ("tf2.Matrix3x3", Matrix),
+    ("btMatrix3x3", Matrix),
     ("Matx33d", Matrix),
     ("Matx33f", Matrix),
     // three.js
@@ -144,7 +157,9 @@ impl<'e, 't> RotationCall<'e, 't> {
             .filter_map(|entry| Some((entry.key?, &entry.node)));
         Self {
             name,
-            takes: known.map(|(_, takes)| *takes),
+            takes: known
+                .map(|(_, takes)| *takes)
+                .or_else(|| constructor::is_matrix(name).then_some(RowsOrColumns)),
             positional: unnamed.map(|entry| &entry.node).collect(),
             named: named.collect(),
             span,
@@ -157,7 +172,8 @@ impl<'e, 't> RotationCall<'e, 't> {
             constructor::call(self.name),
             Call::Ordered(_) | Call::Unordered
         );
-        let keeps = makes_a_quaternion || matches!(self.takes, Some(Matrix | Rotation));
+        let keeps =
+            makes_a_quaternion || matches!(self.takes, Some(Matrix | RowsOrColumns | Rotation));
         match self.positional[..] {
             [inner] if keeps && self.named.is_empty() => Some(inner),
             _ => None,
@@ -188,12 +204,12 @@ impl<'e, 't> RotationCall<'e, 't> {
                 let [angle, axis] = self.positional[..] else {
                     return Err(self.arguments("an angle in radians and an axis"));
                 };
-                self.axis_angle(axis, angle)
+                self.axis_angle(axis, angle, takes)
             }
-            AxisThenAngle => match self.positional[..] {
+            AxisThenAngle | AnyAxisThenAngle => match self.positional[..] {
                 [axis, angle] if held(axis).is_some() || !makes_a_quaternion => {
                     self.check_names(&[])?;
-                    self.axis_angle(axis, angle)
+                    self.axis_angle(axis, angle, takes)
                 }
                 _ if makes_a_quaternion => return Ok(None),
                 _ => return Err(self.arguments("an axis and an angle in radians")),
@@ -214,7 +230,8 @@ impl<'e, 't> RotationCall<'e, 't> {
                     RADIANS,
                 )
             }
-            Matrix if self.holds_a_call_to_look_into() => return Ok(None),
+            Matrix | RowsOrColumns if self.holds_a_call_to_look_into() => return Ok(None),
+            RowsOrColumns => return Err(Fault::rows_or_columns(self.span, self.name)),
             Matrix => {
                 self.check_names(&["dtype"])?;
                 let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
@@ -251,9 +268,19 @@ impl<'e, 't> RotationCall<'e, 't> {
         Fault::unknown_arguments(self.span, self.name, expected)
     }
 
-    fn axis_angle(&self, axis: &Node<'_>, angle: &Node<'_>) -> Result<ParsedRotation, Fault> {
+    fn axis_angle(
+        &self,
+        axis: &Node<'_>,
+        angle: &Node<'_>,
+        takes: Takes,
+    ) -> Result<ParsedRotation, Fault> {
         let angle = (angle.angle()?, angle.span);
-        representation::axis_angle(axis_of_node(axis)?, angle, RADIANS)
+        let vector = axis_of_node(axis)?;
+        let is_unit = (vector.norm() - 1.0).abs() <= ROUNDED_LENGTH;
+        if takes != AnyAxisThenAngle && !is_unit {
+            return Err(Fault::axis_not_normalised(axis.span, self.name));
+        }
+        representation::axis_angle(vector, angle, RADIANS)
     }
 
     fn by_names(&self) -> Result<ParsedRotation, Fault> {
@@ -283,10 +310,10 @@ impl<'e, 't> RotationCall<'e, 't> {
         let Some(node) = self.named("degrees") else {
             return Ok(RADIANS);
         };
-        match node.kind {
-            NodeKind::Word("True" | "true") => Ok(UnitRule::Library(AngleUnit::Degrees)),
-            NodeKind::Word("False" | "false") => Ok(RADIANS),
-            _ => Err(Fault::unknown_argument(node.span, "degrees")),
+        match node.truth() {
+            Some(true) => Ok(UnitRule::Library(AngleUnit::Degrees)),
+            Some(false) => Ok(RADIANS),
+            None => Err(Fault::unknown_argument(node.span, "degrees")),
         }
     }
 

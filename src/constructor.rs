@@ -75,7 +75,7 @@ pub(crate) fn call(name: &str) -> Call {
             last.strip_prefix(word)
                 .is_some_and(|rest| rest.starts_with(char::is_uppercase))
         });
-    if computes {
+    if computes || names_both_orders(last) {
         return Call::Other;
     }
     if let Some(order) = order_in_name(last) {
@@ -89,6 +89,7 @@ pub(crate) fn call(name: &str) -> Call {
     }
     match lower.as_str() {
         "array" | "asarray" | "tensor" | "list" | "tuple" | "vec" => Call::Container,
+        "new" if name.to_ascii_lowercase().contains("vec") => Call::Vector,
         "so3" | "so3d" | "so3f" | "rot3" | "rotation" | "new" | "new_normalize"
         | "new_unchecked" => Call::Unordered,
         "float3" | "double3" | "point3" => Call::Vector,
@@ -117,8 +118,57 @@ pub(crate) fn order_in_name(name: &str) -> Option<ComponentOrder> {
     }
 }
 
+/// `wxyz_to_xyzw`: which of the two the numbers have is not known.
+fn names_both_orders(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    lower.contains("xyzw") && lower.replacen("xyzw", " ", 1).contains("wxyz")
+}
+
+/// `Matrix3d`, `glm::mat3`, `pyrr.Matrix33`: which of its numbers are a row is not known.
+pub(crate) fn is_matrix(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
+}
+
+/// Words of a label that say that it is no attitude itself, or is that of the opposite turn.
+const DERIVED: [&str; 23] = [
+    "acceleration",
+    "bias",
+    "conj",
+    "conjugate",
+    "cov",
+    "covariance",
+    "dot",
+    "inv",
+    "inverse",
+    "inverted",
+    "noise",
+    "rate",
+    "rates",
+    "sigma",
+    "speed",
+    "std",
+    "stddev",
+    "transpose",
+    "transposed",
+    "var",
+    "variance",
+    "vel",
+    "velocity",
+];
+
+/// Whether a label names what was made of a rotation: `rpy_rate`, `inverse_matrix`, `R.T`.
+pub(crate) fn is_derived_label(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let mut words = lower.split(['_', '.', '-', ' ', ':']);
+    name.ends_with(".T") || words.any(|word| DERIVED.contains(&word))
+}
+
 /// Whether a label announces something else than a quaternion or a vector.
 pub(crate) fn is_other_label(name: &str) -> bool {
+    if names_both_orders(name) {
+        return true;
+    }
     let lower = name.to_ascii_lowercase();
     ["angle", "axis", "euler", "matrix", "rotvec", "rpy", "ypr"]
         .iter()

@@ -91,11 +91,9 @@ pub(crate) struct Token<'t> {
 impl Token<'_> {
     /// The unit of angle that this is: `°`, `deg`, `rad`.
     pub(crate) fn angle_unit(&self) -> Option<AngleUnit> {
-        match (self.kind, self.text) {
-            (TokenKind::Degree, _) | (TokenKind::Word, "deg" | "degree" | "degrees") => {
-                Some(AngleUnit::Degrees)
-            }
-            (TokenKind::Word, "rad" | "radian" | "radians") => Some(AngleUnit::Radians),
+        match self.kind {
+            TokenKind::Degree => Some(AngleUnit::Degrees),
+            TokenKind::Word => AngleUnit::named(&self.text.to_ascii_lowercase()),
             _ => None,
         }
     }
@@ -235,7 +233,7 @@ fn blank(
         let skipped = if is_first && touching == Touching::Number {
             alt((white, layout(line, yaml_dash))).parse_next(input)
         } else {
-            alt((white, comment, layout(line, yaml_dash))).parse_next(input)
+            alt((white, reference, comment, layout(line, yaml_dash))).parse_next(input)
         };
         match skipped {
             Ok(text) if text.contains('\n') => line = Line::Start,
@@ -268,6 +266,12 @@ fn white<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
         character.is_whitespace() || matches!(character, '\u{200b}' | '\u{2060}' | '\u{feff}')
     })
     .parse_next(input)
+}
+
+/// The sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
+fn reference<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+    let borrowed = one_of(|next: char| next.is_alphabetic() || next == '[');
+    terminated("&", peek(borrowed)).parse_next(input)
 }
 
 fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
@@ -357,7 +361,7 @@ fn sign<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
                 '*' | '·' | '×' | '⋅' | '∗' => TokenKind::Times,
                 '/' | '÷' | '∕' | '⁄' => TokenKind::Divide,
                 '√' => TokenKind::Root,
-                '°' => TokenKind::Degree,
+                '°' | '˚' => TokenKind::Degree,
                 ',' | ';' => TokenKind::Comma,
                 ':' => TokenKind::Colon,
                 '=' => TokenKind::Equals,

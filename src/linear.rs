@@ -3,7 +3,7 @@
 //! A product of two imaginary units is refused, because its sign is what the
 //! conventions disagree about; so nothing here depends on a convention.
 
-use crate::angle::{AngleUnit, degrees_in_radians};
+use crate::angle::{AngleUnit, degrees_in_radians, turn_in_radians};
 use crate::lex::last_segment;
 use crate::messages::Fault;
 use crate::problem::Span;
@@ -23,7 +23,7 @@ pub(crate) enum Quantity {
     Number,
     /// A number made of π: radians, if it is an angle.
     OfPi,
-    /// In radians; the unit is that of the text.
+    /// In the unit of the text: degrees stay degrees until the whole angle is known.
     Angle(AngleUnit),
 }
 
@@ -89,6 +89,7 @@ impl Linear {
         if argument.units.is_some() {
             return Err(Fault::product_of_units(argument_span));
         }
+        let argument = argument.radians();
         let value = function(argument.scalar);
         if value.is_nan() {
             return Err(Fault::no_real_value(span, name));
@@ -109,9 +110,30 @@ impl Linear {
         Self {
             scalar: self.scalar + other.scalar,
             units,
-            quantity: self.quantity.with(other.quantity),
+            quantity: self.quantity_of_sum(other, span)?,
         }
         .checked(span)
+    }
+
+    /// Only zero may stand without a unit beside an angle with one.
+    fn quantity_of_sum(self, other: Self, span: Span) -> Result<Quantity, Fault> {
+        let is_zero = |term: Self| term.quantity == Quantity::Number && term.scalar == 0.0;
+        match (self.quantity, other.quantity) {
+            (Quantity::Angle(one), Quantity::Angle(two)) if one != two => {
+                Err(Fault::mixed_units(span))
+            }
+            (Quantity::Angle(_), Quantity::Number) if !is_zero(other) => {
+                Err(Fault::angle_and_number(span))
+            }
+            (Quantity::Number, Quantity::Angle(_)) if !is_zero(self) => {
+                Err(Fault::angle_and_number(span))
+            }
+            (Quantity::Angle(AngleUnit::Degrees), Quantity::OfPi)
+            | (Quantity::OfPi, Quantity::Angle(AngleUnit::Degrees)) => {
+                Err(Fault::mixed_units(span))
+            }
+            (one, two) => Ok(one.with(two)),
+        }
     }
 
     pub(crate) fn negated(self) -> Self {
@@ -128,6 +150,9 @@ impl Linear {
             (None, _) => (self.scalar, other),
             (_, None) => (other.scalar, self),
         };
+        if let (Quantity::Angle(_), Quantity::Angle(_)) = (self.quantity, other.quantity) {
+            return Err(Fault::second_unit(span));
+        }
         let product = linear.map_checked(span, factor != 0.0, |number| number * factor)?;
         Ok(Self {
             quantity: self.quantity.with(other.quantity),
@@ -142,6 +167,9 @@ impl Linear {
         if other.scalar == 0.0 {
             return Err(Fault::division_by_zero(other_span));
         }
+        if matches!(other.quantity, Quantity::Angle(_)) {
+            return Err(Fault::second_unit(other_span));
+        }
         self.map_checked(span, true, |number| number / other.scalar)
     }
 
@@ -150,14 +178,33 @@ impl Linear {
         if matches!(self.quantity, Quantity::Angle(_)) {
             return Err(Fault::second_unit(span));
         }
-        let radians = match unit {
-            AngleUnit::Degrees => self.map_checked(span, true, degrees_in_radians)?,
-            AngleUnit::Radians => self,
-        };
+        if (self.quantity, unit) == (Quantity::OfPi, AngleUnit::Degrees) {
+            return Err(Fault::degrees_of_pi(span));
+        }
         Ok(Self {
             quantity: Quantity::Angle(unit),
-            ..radians
+            ..self
         })
+    }
+
+    /// The same in radians, of any size.
+    pub(crate) fn radians(self) -> Self {
+        self.map_degrees(degrees_in_radians)
+    }
+
+    /// The same turn in radians: whole turns of many are left out, exactly.
+    pub(crate) fn turn(self) -> Self {
+        self.map_degrees(turn_in_radians)
+    }
+
+    fn map_degrees(self, in_radians: impl Fn(f64) -> f64) -> Self {
+        if self.quantity != Quantity::Angle(AngleUnit::Degrees) {
+            return self;
+        }
+        Self {
+            scalar: in_radians(self.scalar),
+            ..self
+        }
     }
 
     /// Applies a scaling to every part; a part that was not zero must not become zero by rounding.

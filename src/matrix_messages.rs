@@ -1,7 +1,7 @@
 //! The sentences of problems of matrices.
 
-use crate::messages::Fault;
-use crate::problem::{ProblemCode, Span};
+use crate::messages::{Fault, QUOTED_CHARACTERS};
+use crate::problem::{ProblemCode, Span, shorten};
 
 const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 
@@ -40,6 +40,19 @@ impl Fault {
             _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
         };
         Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
+    }
+
+    pub(crate) fn rows_or_columns(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!(
+                "{name} fills rows in some libraries and columns in others, or takes vectors as rows"
+            ),
+            "numbers that are known to stand row by row, as in Eigen::Matrix3d or nalgebra::Matrix3::new",
+            "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+        )
     }
 
     pub(crate) fn reflection(span: Span) -> Self {

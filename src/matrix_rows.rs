@@ -1,6 +1,7 @@
 //! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
 //! other.
 
+use crate::constructor::{self, Call};
 use crate::messages::Fault;
 use crate::numbers::{
     check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
@@ -14,7 +15,7 @@ pub(crate) fn unannounced(
     entries: &[Entry<'_>],
     span: Span,
 ) -> Result<Option<Matrix3<f64>>, Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
     if entries.iter().any(|entry| entry.key.is_some()) {
         return Ok(None);
     }
@@ -28,13 +29,16 @@ pub(crate) fn unannounced(
 
 /// The matrix of members that are announced as one.
 pub(crate) fn matrix(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
+    if let Some(key) = entries.iter().find_map(|entry| entry.key) {
+        return Err(Fault::unknown_argument(key.span, key.name));
+    }
     let mut numbers = Vec::new();
     let lengths: Vec<usize> = match rows(&entries) {
         Rows::InBrackets => {
             let mut lengths = Vec::new();
             for entry in &entries {
-                let row = held(&entry.node).map_or_else(|| vec![entry.clone()], members);
+                let row = held(&entry.node).map_or_else(|| Ok(vec![entry.clone()]), members)?;
                 check_separators(&row, entry.node.span)?;
                 lengths.push(row.len());
                 numbers.extend(values(&row)?);
@@ -95,8 +99,11 @@ fn rows<'e, 't>(entries: &'e [Entry<'t>]) -> Rows<'e, 't> {
     Rows::OfLengths(split_by(&|entry| !is_after_comma(entry)))
 }
 
+/// What is made a vector by its name may be a column.
 fn is_row(node: &Node<'_>) -> bool {
-    held(node).is_some_and(|row| row.iter().all(|entry| entry.key.is_none()))
+    let is_vector =
+        matches!(node.kind, NodeKind::Call { name, .. } if constructor::call(name) == Call::Vector);
+    !is_vector && held(node).is_some_and(|row| row.iter().all(|entry| entry.key.is_none()))
 }
 
 fn is_number(node: &Node<'_>) -> bool {

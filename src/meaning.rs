@@ -81,11 +81,15 @@ pub(crate) fn quaternion(
     entries: &[Entry<'_>],
     span: Span,
     declared: ComponentOrder,
+    told: Option<ComponentOrder>,
 ) -> Result<ParsedQuaternion, Fault> {
     let order = Order {
         declared,
-        order: declared,
-        source: OrderSource::Declared,
+        order: told.unwrap_or(declared),
+        source: match told {
+            Some(_) => OrderSource::Named,
+            None => OrderSource::Declared,
+        },
         unknown_constructor: None,
     };
     read_quaternion(entries, span, order, Place::Open)
@@ -97,11 +101,15 @@ fn read_quaternion(
     order: Order,
     place: Place,
 ) -> Result<ParsedQuaternion, Fault> {
-    if let Some(node) = orientation(entries) {
+    if let Some(node) = orientation(entries)? {
         return read_members(node, order, place);
     }
     let (entries, label) = without_label(entries, Wanted::Quaternion)?;
     let order = match label.and_then(|label| constructor::order_in_name(label.name)) {
+        Some(named) if order.source == OrderSource::Named && order.order != named => {
+            let label = label.unwrap_or_default();
+            return Err(Fault::unknown_argument(label.span, label.name));
+        }
         Some(named) => order.told(named, OrderSource::Named),
         None => order,
     };
@@ -118,18 +126,22 @@ fn read_quaternion(
     if let [first, second] = &entries[..] {
         if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node)) {
             let part = vector(inner, second.node.span)?;
+            let quaternion = Quaternion::from_parts(first.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
             return Ok(order
                 .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
-                .with(Quaternion::from_parts(first.node.real()?, part)));
+                .with(quaternion));
         }
         if let (Some(inner), NodeKind::Value(_)) = (held(&first.node), &second.node.kind) {
             if place == Place::InCall {
                 return Err(Fault::axis_and_angle(span));
             }
             let part = vector(inner, first.node.span)?;
+            let quaternion = Quaternion::from_parts(second.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
             return Ok(order
                 .told(ComponentOrder::ScalarLast, OrderSource::Grouped)
-                .with(Quaternion::from_parts(second.node.real()?, part)));
+                .with(quaternion));
         }
     }
     let values = values(&entries)?;
@@ -146,6 +158,20 @@ fn read_quaternion(
     Ok(order.with(quaternion))
 }
 
+/// How far from 1 a length is that was typed as 1 with six decimals.
+const TYPED_AS_ONE: f64 = 1e-6;
+
+/// A vector of length 1 and a number that together have another norm may be an axis and its angle,
+/// unless a name before them says that they are a quaternion.
+fn check_pair(order: &Order, pair: &Quaternion<f64>, span: Span) -> Result<(), Fault> {
+    let is_one = |length: f64| (length - 1.0).abs() <= TYPED_AS_ONE;
+    let may_be_axis_and_angle = is_one(pair.imag().norm()) && !is_one(pair.norm());
+    if may_be_axis_and_angle && order.source == OrderSource::Declared {
+        return Err(Fault::axis_angle_or_quaternion(span));
+    }
+    Ok(())
+}
+
 /// What stands in the brackets of a list or a call.
 fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQuaternion, Fault> {
     let (name, arguments) = match &node.kind {
@@ -155,7 +181,7 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
             return Err(Fault::wrong_count(node.span, Wanted::Quaternion, 1));
         }
     };
-    let order = match (scalar_first_argument(arguments), constructor::call(name)) {
+    let order = match (scalar_first_argument(arguments)?, constructor::call(name)) {
         (_, Call::Other | Call::Vector) => {
             return Err(Fault::not_applied(node.span, name, Wanted::Quaternion));
         }
@@ -165,30 +191,50 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
         (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
         (None, Call::Unordered | Call::Container) => order,
     };
-    let members = without_options(arguments);
-    read_quaternion(&members, node.span, order, Place::InCall)
+    let mut members = arguments.clone();
+    members.retain(|entry| !is_scalar_first(entry));
+    read_quaternion(&without_options(&members)?, node.span, order, Place::InCall)
 }
 
 /// `scalar_first=True`, as in `SciPy`'s `from_quat`.
-fn scalar_first_argument(arguments: &[Entry<'_>]) -> Option<ComponentOrder> {
-    arguments
-        .iter()
-        .find(|entry| entry.key.is_some_and(|key| key.name == "scalar_first"))
-        .map(|entry| match entry.node.kind {
-            NodeKind::Word("True" | "true") => ComponentOrder::ScalarFirst,
-            _ => ComponentOrder::ScalarLast,
-        })
+fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrder>, Fault> {
+    let Some(entry) = arguments.iter().find(|entry| is_scalar_first(entry)) else {
+        return Ok(None);
+    };
+    match entry.node.truth() {
+        Some(true) => Ok(Some(ComponentOrder::ScalarFirst)),
+        Some(false) => Ok(Some(ComponentOrder::ScalarLast)),
+        None => Err(Fault::unknown_argument(entry.node.span, "scalar_first")),
+    }
 }
 
-/// The part of several named ones that is the orientation, as in JSON of a pose.
-fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+fn is_scalar_first(entry: &Entry<'_>) -> bool {
+    entry.key.is_some_and(|key| key.name == "scalar_first")
+}
+
+/// The part of several named ones that is the orientation, as in JSON of a pose; a problem where
+/// another part is a rotation too.
+fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Result<Option<&'e Node<'t>>, Fault> {
+    let named = |entry: &Entry<'_>, is_it: &dyn Fn(&str) -> bool| {
+        !matches!(entry.node.kind, NodeKind::Word(_))
+            && entry.key.is_some_and(|key| is_it(key.name))
+    };
+    let is_orientation = |name: &str| ORIENTATIONS.contains(&name);
     let found = entries.iter().find(|entry| {
-        matches!(entry.node.kind, NodeKind::List(_))
-            && entry
-                .key
-                .is_some_and(|key| ORIENTATIONS.contains(&key.name))
+        matches!(entry.node.kind, NodeKind::List(_)) && named(entry, &is_orientation)
     });
-    found.filter(|_| entries.len() > 1).map(|entry| &entry.node)
+    let Some(found) = found.filter(|_| entries.len() > 1) else {
+        return Ok(None);
+    };
+    without_options(entries)?;
+    let is_rotation = |name: &str| is_orientation(name) || constructor::is_other_label(name);
+    let other = entries
+        .iter()
+        .find(|entry| !std::ptr::eq(*entry, found) && named(entry, &is_rotation));
+    match other {
+        Some(other) => Err(Fault::several_values(other.node.span)),
+        None => Ok(Some(&found.node)),
+    }
 }
 
 pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
@@ -198,7 +244,7 @@ pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, 
     {
         match (&only.node.kind, held(&only.node)) {
             (_, Some(inner)) => {
-                return vector(&without_options(inner), only.node.span);
+                return vector(&without_options(inner)?, only.node.span);
             }
             (NodeKind::Call { name, .. }, None) => {
                 return Err(Fault::not_applied(only.node.span, name, Wanted::Vector));

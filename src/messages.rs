@@ -269,6 +269,38 @@ impl Fault {
         )
     }
 
+    pub(crate) fn derived_label(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("{name} names what was made of a rotation: a rate, a spread, an inverse"),
+            "the numbers of the rotation itself",
+            "write them without this name if they are what you want to read",
+        )
+    }
+
+    pub(crate) fn unknown_argument(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownComponent,
+            span,
+            format!("the argument {name} is not known here, and it may change the numbers"),
+            "the numbers of the rotation and their unit",
+            "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
+        )
+    }
+
+    pub(crate) fn decimal_comma(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a comma stands in this angle, and it separates numbers here",
+            "one angle, such as 45.5deg",
+            "write a point for the decimal sign",
+        )
+    }
+
     pub(crate) fn mixed_names(span: Span) -> Self {
         Self::new(
             ProblemCode::MixedNames,

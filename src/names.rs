@@ -1,7 +1,11 @@
 //! Members with names: which component each is, and which of several values is meant.
 
-use crate::lex::last_segment;
+use crate::angle::AngleUnit;
+use crate::constructor::{is_derived_label, order_in_name};
+use crate::convention::ComponentOrder;
+use crate::lex::{Token, TokenKind, last_segment};
 use crate::messages::Fault;
+use crate::phrases::{is_mark, is_name, is_sequence, phrase_ahead};
 use crate::problem::{Span, Wanted};
 use crate::tree::{Entry, Key, NodeKind};
 
@@ -15,16 +19,192 @@ pub(crate) const ORIENTATIONS: [&str; 6] = [
     "transform",
 ];
 
-/// A named member that is no number, such as `dtype=float32` or `frame_id: "map"`.
-fn is_option(entry: &Entry<'_>) -> bool {
-    let is_component = |key: Key<'_>| component(key.name).is_some();
-    matches!(entry.node.kind, NodeKind::Word(_)) && entry.key.is_some_and(|key| !is_component(key))
+/// Names of members that change no number: what programs print beside a rotation.
+const HARMLESS: [&str; 27] = [
+    "child",
+    "child_frame_id",
+    "class",
+    "comment",
+    "copy",
+    "description",
+    "device",
+    "dtype",
+    "frame_id",
+    "header",
+    "id",
+    "iseuler",
+    "ismatrix3",
+    "isquaternion",
+    "isvector3",
+    "label",
+    "name",
+    "parent",
+    "requires_grad",
+    "seq",
+    "shape",
+    "stamp",
+    "time",
+    "timestamp",
+    "topic",
+    "type",
+    "uuid",
+];
+
+/// Words in the value of such a member that may change the numbers all the same.
+const TELLING: [&str; 9] = [
+    "col", "deg", "hamilton", "jpl", "left", "rad", "trinsic", "wxyz", "xyzw",
+];
+
+fn is_harmless(entry: &Entry<'_>, name: &str) -> bool {
+    let name = last_segment(name).to_ascii_lowercase();
+    let tells = match entry.node.kind {
+        NodeKind::Word(word) if matches!(name.as_str(), "seq" | "type") => {
+            let word = word.to_ascii_lowercase();
+            is_sequence(&word) || TELLING.iter().any(|telling| word.contains(telling))
+        }
+        _ => false,
+    };
+    !tells && (HARMLESS.contains(&name.as_str()) || name.ends_with("covariance"))
 }
 
-/// The members that are numbers or hold numbers.
-pub(crate) fn without_options<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
-    let members = entries.iter().filter(|entry| !is_option(entry));
-    members.cloned().collect()
+/// The members that are numbers or hold numbers; a problem where a word may change them.
+pub(crate) fn without_options<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut members = Vec::new();
+    for entry in entries {
+        match entry.key {
+            Some(key) if is_harmless(entry, key.name) => {}
+            Some(key)
+                if component(key.name).is_none()
+                    && matches!(entry.node.kind, NodeKind::Word(_)) =>
+            {
+                return Err(Fault::unknown_argument(key.span, key.name));
+            }
+            _ => members.push(entry.clone()),
+        }
+    }
+    Ok(members)
+}
+
+/// What named words say of all the numbers: `"unit": "deg"`, `order: xyzw`, `degrees=True`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Settings<'t> {
+    pub(crate) unit: Option<(AngleUnit, Key<'t>)>,
+    pub(crate) order: Option<(ComponentOrder, Key<'t>)>,
+}
+
+impl<'t> Settings<'t> {
+    /// Takes in what a name and its value say, and whether they say anything.
+    fn take(&mut self, name: &Token<'t>, value: &Token<'t>) -> Result<bool, Fault> {
+        let key = Key {
+            heading: None,
+            name: name.text,
+            span: name.span,
+        };
+        let word = value.text.to_ascii_lowercase();
+        let is_true = match (value.kind, word.as_str()) {
+            (TokenKind::Word, "true") => Some(true),
+            (TokenKind::Word, "false") => Some(false),
+            _ => None,
+        };
+        let name = name.text.to_ascii_lowercase().replace('_', "");
+        let (unit, order) = match (name.as_str(), is_true) {
+            ("unit" | "units" | "angleunit" | "angleunits", _) => (AngleUnit::named(&word), None),
+            ("degrees", Some(true)) => (Some(AngleUnit::Degrees), None),
+            ("degrees", Some(false)) => (Some(AngleUnit::Radians), None),
+            ("scalarfirst", Some(true)) => (None, Some(ComponentOrder::ScalarFirst)),
+            ("scalarfirst", Some(false)) => (None, Some(ComponentOrder::ScalarLast)),
+            ("order" | "format" | "layout" | "convention" | "componentorder", _) => {
+                let is_order = matches!(word.as_str(), "wxyz" | "xyzw");
+                (None, order_in_name(&word).filter(|_| is_order))
+            }
+            _ => (None, None),
+        };
+        if let Some(unit) = unit
+            && self
+                .unit
+                .replace((unit, key))
+                .is_some_and(|(other, _)| other != unit)
+        {
+            return Err(Fault::mixed_units(key.span.to(value.span)));
+        }
+        if let Some(order) = order
+            && self
+                .order
+                .replace((order, key))
+                .is_some_and(|(other, _)| other != order)
+        {
+            return Err(Fault::unknown_argument(key.span, key.name));
+        }
+        Ok(unit.is_some() || order.is_some())
+    }
+
+    /// That nothing is said of a unit, because there is no angle, or its call has a unit.
+    pub(crate) fn check_no_unit(&self) -> Result<(), Fault> {
+        match self.unit {
+            Some((_, key)) => Err(Fault::unknown_argument(key.span, key.name)),
+            None => Ok(()),
+        }
+    }
+
+    /// That nothing is said of an order which these numbers do not have.
+    pub(crate) fn check_order(&self, own: Option<ComponentOrder>) -> Result<(), Fault> {
+        match self.order {
+            Some((order, key)) if own != Some(order) => {
+                Err(Fault::unknown_argument(key.span, key.name))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The settings among tokens, and the tokens without them; the arguments of calls are left alone.
+pub(crate) fn without_settings<'t>(
+    tokens: &[Token<'t>],
+) -> Result<(Vec<Token<'t>>, Settings<'t>), Fault> {
+    let mut settings = Settings::default();
+    let mut rest: Vec<Token<'t>> = Vec::new();
+    let mut is_call = Vec::new();
+    let mut open_calls = 0_usize;
+    let mut at = 0;
+    while let Some(token) = tokens.get(at) {
+        match token.kind {
+            TokenKind::Open(_) => {
+                let before = at.checked_sub(1).map(|before| &tokens[before..]);
+                let calls = before.is_some_and(|from| {
+                    from[0].kind == TokenKind::Word
+                        && phrase_ahead(from).is_none()
+                        && !is_sequence(from[0].text)
+                });
+                is_call.push(calls);
+                open_calls += usize::from(calls);
+            }
+            TokenKind::Close(_) => {
+                open_calls -= usize::from(is_call.pop().unwrap_or_default());
+            }
+            _ => {}
+        }
+        if open_calls == 0
+            && let Some([name, mark, value]) = tokens.get(at..at + 3)
+            && is_name(name)
+            && is_mark(Some(mark))
+            && is_name(value)
+            && settings.take(name, value)?
+        {
+            at += 3;
+            let is_comma = |token: Option<&Token<'_>>| {
+                token.is_some_and(|token| token.kind == TokenKind::Comma)
+            };
+            if is_comma(rest.last()) {
+                rest.pop();
+            } else if is_comma(tokens.get(at)) {
+                at += 1;
+            }
+            continue;
+        }
+        rest.push(*token);
+        at += 1;
+    }
+    Ok((rest, settings))
 }
 
 const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
@@ -41,9 +221,10 @@ pub(crate) fn component(name: &str) -> Option<usize> {
 }
 
 pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
+    without_options(entries)?;
     let entries = of_one_value(entries)?;
     let mut found = [None; 4];
-    for entry in without_options(entries) {
+    for entry in without_options(entries)? {
         let Some(key) = entry.key else {
             return Err(Fault::mixed_names(entry.node.span));
         };
@@ -69,7 +250,8 @@ pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result
 }
 
 /// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
-/// several apart: those of the orientation, or a problem where none is.
+/// several apart: those of the orientation, or a problem where none
+/// or more than one is.
 fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
     let path = |key: Key<'t>| {
         key.name
@@ -87,8 +269,17 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         .chain((1..entries.len()).filter(|&at| starts(at)))
         .chain([entries.len()])
         .collect();
-    let mut groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
+    let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
     if bounds.len() == 2 {
+        let key = entries.first().and_then(|entry| entry.key);
+        if let Some(key) = key
+            && key.heading.is_some_and(is_derived_label)
+        {
+            return Err(Fault::derived_label(
+                key.span,
+                key.heading.unwrap_or(key.name),
+            ));
+        }
         return Ok(entries);
     }
     let is_orientation = |group: &&[Entry<'t>]| {
@@ -99,7 +290,10 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         })
     };
     let second = bounds[1];
-    groups
-        .find(is_orientation)
-        .ok_or_else(|| Fault::several_values(entries[second].node.span))
+    let mut orientations = groups.filter(is_orientation);
+    match (orientations.next(), orientations.next()) {
+        (Some(only), None) => Ok(only),
+        (Some(_), Some(other)) => Err(Fault::several_values(other[0].node.span)),
+        (None, _) => Err(Fault::several_values(entries[second].node.span)),
+    }
 }

@@ -20,15 +20,15 @@ pub(crate) fn held<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
 }
 
 /// The members inside all the brackets around them.
-pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
-    let mut entries = without_options(entries);
+pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut entries = without_options(entries)?;
     while let [only] = &entries[..]
         && only.key.is_none()
         && let Some(inner) = held(&only.node)
     {
-        entries = without_options(inner);
+        entries = without_options(inner)?;
     }
-    entries
+    Ok(entries)
 }
 
 pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {

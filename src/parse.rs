@@ -14,7 +14,7 @@
 //! | a sum of units, in any order | `0.92 + 0.38k`, `k sin(pi/8) + cos(pi/8)` |
 //! | scalar and vector | `0.92 [0, 0, 0.38]`, `[[0, 0, 0.38], 0.92]` |
 //! | a constructor call | `Eigen::Quaterniond(0.92, 0, 0, 0.38)`, `Rotation.from_quat([0, 0, 0.38, 0.92])` |
-//! | axis and angle | `45deg about z`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
+//! | axis and angle | `45deg about z`, `45deg [0, 0, 1]`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
 //! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
 //! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
@@ -25,8 +25,15 @@
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
 //! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
-//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn,
-//! and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
+//! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//!
+//! # Named words beside the numbers
+//!
+//! `unit`, `degrees`, `order` and `format` with a value that is known here count for all the numbers.
+//! What programs print besides (`frame_id`, `dtype`, …) is read past. Any other named word, such as
+//! `layout` or `handedness`, may change the numbers and is refused; so is a label such as `rpy_rate`
+//! or `R.T`, and a text with two rotations.
 //!
 //! # Which sequence
 //!
@@ -74,6 +81,7 @@
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
 
+use crate::angle::AngleUnit;
 use crate::announced;
 use crate::calls;
 use crate::convention::ComponentOrder;
@@ -82,9 +90,10 @@ use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
-use crate::names::component;
-use crate::phrases::Form;
+use crate::names::{component, without_settings};
+use crate::phrases::{self, Form};
 use crate::problem::{Field, Problem, Span, Wanted};
+use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
 use crate::spoken::{Spoken, spoken};
 use crate::syntax;
@@ -207,25 +216,80 @@ fn rotation(
     span: Span,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
+    let (tokens, settings) = without_settings(tokens)?;
+    let unit = settings.unit.map(|(unit, _)| unit);
+    let rotation = match described(&tokens, text, span, unit)? {
+        Described::Rotation(rotation) => rotation,
+        Described::Quaternion(entries) => {
+            let told = settings.order.map(|(order, _)| order);
+            settings.check_no_unit()?;
+            let quaternion = meaning::quaternion(&entries, span, declared, told)?;
+            // Names have no order that another could contradict.
+            if quaternion.order_source != OrderSource::Named {
+                settings.check_order(Some(quaternion.order))?;
+            }
+            return Ok(ParsedRotation::Quaternion(quaternion));
+        }
+        Described::InItself(rotation) => {
+            settings.check_no_unit()?;
+            rotation
+        }
+    };
+    settings.check_order(None)?;
+    Ok(rotation)
+}
+
+/// What a text is before the order of its numbers matters.
+enum Described<'t> {
+    /// Angles, with what is said of their unit already used.
+    Rotation(ParsedRotation),
+    /// What needs no word for its unit: a call, or a matrix.
+    InItself(ParsedRotation),
+    Quaternion(Vec<Entry<'t>>),
+}
+
+fn described<'t>(
+    tokens: &[Token<'t>],
+    text: &'t str,
+    span: Span,
+    unit: Option<AngleUnit>,
+) -> Result<Described<'t>, Fault> {
     let numbers = match spoken(tokens, text) {
         Spoken::About {
             before,
             word,
             after,
-        } => return announced::about(before, word, after),
-        Spoken::Parts(parts) => return announced::parts(&parts, span),
+        } => return announced::about(before, word, after, unit).map(Described::Rotation),
+        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
+        Spoken::Several(second) => return Err(Fault::several_values(second)),
+        Spoken::Parts(parts) => {
+            return announced::parts(&parts, span, unit).map(Described::Rotation);
+        }
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,
-            Some(form) => return announced::announced(&announcement, form, rest, text),
+            Some(form) => {
+                let announcement = announcement.with_unit(unit)?;
+                return announced::announced(&announcement, form, rest, text)
+                    .map(Described::Rotation);
+            }
         },
         Spoken::Nothing => tokens,
     };
     let entries = syntax::entries(numbers)?;
+    let is_announced = numbers.len() < tokens.len();
+    if !is_announced {
+        if let Some(rotation) = announced::angle_beside_axis(&entries)? {
+            return Ok(Described::InItself(rotation));
+        }
+        if let Some(first) = phrases::sequence_among_numbers(&entries) {
+            return Err(Fault::sequence_or_number(first));
+        }
+    }
     if let Some(rotation) = calls::rotation(&entries)? {
-        return Ok(rotation);
+        return Ok(Described::InItself(rotation));
     }
     if let Some(matrix) = matrix_rows::unannounced(&without_name(&entries), span)? {
-        return Ok(ParsedRotation::Matrix(matrix));
+        return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
     }
     if let [first, _, ..] = &entries[..]
         && first.key.is_none()
@@ -233,7 +297,7 @@ fn rotation(
     {
         return Err(Fault::unknown_keyword(first.node.span, word));
     }
-    meaning::quaternion(&entries, span, declared).map(ParsedRotation::Quaternion)
+    Ok(Described::Quaternion(entries))
 }
 
 /// The members without the name of the whole, as in `R = [[…], […], […]]`.

@@ -4,7 +4,9 @@ use crate::angle::AngleUnit;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Token, TokenKind, last_segment};
 use crate::messages::Fault;
+use crate::numbers::members;
 use crate::problem::Span;
+use crate::tree::Entry;
 
 /// What numbers can be announced as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +46,7 @@ impl Said {
         })
     }
 
-    /// What a label says that has such words in it, as `imu_rpy:` has.
+    /// What a label says that ends in such words, as `imu_rpy:` does; `rpy_rate:` is something else.
     fn of_label(label: &str) -> Option<Self> {
         const WORDS: [&str; 8] = [
             "axisangle",
@@ -56,14 +58,16 @@ impl Said {
             "euler",
             "matrix",
         ];
-        let word = WORDS.iter().find(|word| label.contains(**word));
+        let word = WORDS.iter().find(|word| label.ends_with(**word));
         word.and_then(|word| Self::of(word))
     }
 }
 
 /// Up to three words that belong together, and what they say.
-pub(crate) struct Phrase {
+pub(crate) struct Phrase<'t> {
     pub(crate) said: Said,
+    /// The letters of a label such as `euler_zyx`.
+    pub(crate) sequence: Option<(&'t str, Span)>,
     /// A unit at the end, as in `rpy_deg`.
     pub(crate) unit: Option<AngleUnit>,
     pub(crate) length: usize,
@@ -72,7 +76,10 @@ pub(crate) struct Phrase {
 const MOST_WORDS: usize = 3;
 
 /// The longest phrase at the start that says something.
-pub(crate) fn phrase_ahead(tokens: &[Token<'_>]) -> Option<Phrase> {
+pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
+    if let Some(phrase) = euler_label(tokens) {
+        return Some(phrase);
+    }
     (1..=MOST_WORDS).rev().find_map(|count| {
         let (words, length) = joined(tokens, count)?;
         let (words, unit) = without_unit(&words);
@@ -80,7 +87,34 @@ pub(crate) fn phrase_ahead(tokens: &[Token<'_>]) -> Option<Phrase> {
             None if is_mark(tokens.get(length)) => Said::of_label(words),
             said => said,
         }?;
-        Some(Phrase { said, unit, length })
+        Some(Phrase {
+            said,
+            sequence: None,
+            unit,
+            length,
+        })
+    })
+}
+
+/// `euler_zyx`, `euler_angles_ZYX_deg`
+fn euler_label<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
+    let name = tokens.first().filter(|token| is_name(token))?;
+    let mut parts = last_segment(name.text).split('_');
+    let first = parts.next()?.to_ascii_lowercase();
+    let mut next = parts.next()?;
+    if first == "euler" && matches!(next.to_ascii_lowercase().as_str(), "angle" | "angles") {
+        next = parts.next()?;
+    }
+    let unit = match parts.next() {
+        Some(unit) => Some(AngleUnit::named(&unit.to_ascii_lowercase())?),
+        None => None,
+    };
+    let is_it = first == "euler" && is_sequence(next) && parts.next().is_none();
+    is_it.then_some(Phrase {
+        said: Said::Form(Form::Euler),
+        sequence: Some((next, name.span)),
+        unit,
+        length: 1,
     })
 }
 
@@ -176,11 +210,24 @@ pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<u
             .is_some_and(|after| !after.spacing.is_adjacent()),
         // A factor: `3-2-1 k` is a number of k.
         TokenKind::Word => matches!(next.text, "i" | "j" | "k"),
-        TokenKind::Comma | TokenKind::Times | TokenKind::Divide | TokenKind::Close(_) => true,
+        TokenKind::Times | TokenKind::Divide | TokenKind::Close(_) => true,
         _ => false,
     };
-    let is_apart = is_mark(Some(next)) || !next.spacing.is_adjacent();
+    let is_apart =
+        is_mark(Some(next)) || next.kind == TokenKind::Comma || !next.spacing.is_adjacent();
     (is_in_form && is_known && is_apart && !goes_on).then_some(5)
+}
+
+/// The place of `321` in `321 30 20 10`, which is a sequence with its angles or a quaternion.
+pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
+    let entries = members(entries).ok()?;
+    let [first, ..] = &entries[..] else {
+        return None;
+    };
+    let value = first.node.real().ok().filter(|_| entries.len() == 4)?;
+    let names_axes = value > 0.0 && value.to_string().parse::<EulerSequence>().is_ok();
+    let are_named = entries.iter().any(|entry| entry.key.is_some());
+    (names_axes && !are_named).then_some(first.node.span)
 }
 
 /// The sequence that letters or digits name; a word for the frame wins over the letters' case.

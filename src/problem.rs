@@ -143,7 +143,7 @@ pub enum ProblemCode {
     ZeroQuaternion,
     /// A matrix with a negative determinant.
     Reflection,
-    /// A matrix that is far from every rotation.
+    /// A matrix that is far from every rotation, or an axis of which a call makes none.
     NotARotation,
     /// An axis of length zero.
     ZeroAxis,

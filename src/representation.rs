@@ -1,7 +1,7 @@
 //! What a text holds when it holds a rotation: one of five descriptions, each as it was typed.
 
 use crate::angle::UnitSource;
-use crate::angles::{self, Angle, UnitRule};
+use crate::angles::{self, Angle, Of, UnitRule};
 use crate::euler_sequence::EulerSequence;
 use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
@@ -43,7 +43,7 @@ impl ParsedRotation {
 pub struct ParsedAxisAngle {
     /// The axis as written: of any length but zero.
     pub axis: Vector3<f64>,
-    /// The angle in radians, of any size and sign.
+    /// The angle in radians, of any size and sign; of degrees beyond two turns, what is left of them.
     pub angle_rad: f64,
     /// How the unit of the angle was told.
     pub unit: UnitSource,
@@ -63,7 +63,7 @@ pub struct ParsedRotationVector {
 pub struct ParsedEulerAngles {
     /// Which axes, in which order, and whether they move.
     pub sequence: EulerSequence,
-    /// The angles in radians, in the order of the axes.
+    /// The angles in radians, in the order of the axes; of degrees beyond two turns, what is left.
     pub angles_rad: [f64; 3],
     /// How the unit of the angles was told.
     pub unit: UnitSource,
@@ -74,7 +74,7 @@ pub(crate) fn axis_angle(
     angle: Angle,
     rule: UnitRule,
 ) -> Result<ParsedRotation, Fault> {
-    let ([angle_rad], unit) = angles::in_radians([angle], rule)?;
+    let ([angle_rad], unit) = angles::in_radians([angle], Of::Turns, rule)?;
     Ok(ParsedRotation::AxisAngle(ParsedAxisAngle {
         axis,
         angle_rad,
@@ -87,7 +87,7 @@ pub(crate) fn euler_angles(
     angles: [Angle; 3],
     rule: UnitRule,
 ) -> Result<ParsedRotation, Fault> {
-    let (angles_rad, unit) = angles::in_radians(angles, rule)?;
+    let (angles_rad, unit) = angles::in_radians(angles, Of::Turns, rule)?;
     Ok(ParsedRotation::EulerAngles(ParsedEulerAngles {
         sequence,
         angles_rad,
@@ -96,7 +96,7 @@ pub(crate) fn euler_angles(
 }
 
 pub(crate) fn rotation_vector(angles: [Angle; 3], rule: UnitRule) -> Result<ParsedRotation, Fault> {
-    let (vector_rad, unit) = angles::in_radians(angles, rule)?;
+    let (vector_rad, unit) = angles::in_radians(angles, Of::Vector, rule)?;
     Ok(ParsedRotation::RotationVector(ParsedRotationVector {
         vector_rad: vector_rad.into(),
         unit,
@@ -109,7 +109,7 @@ pub(crate) const THREE_NUMBERS: &str = "three numbers: the axis times the angle"
 
 /// Three numbers that may have units, in any brackets.
 pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
-    let entries = members(entries);
+    let entries = members(entries)?;
     check_separators(&entries, span)?;
     let angles: Vec<Angle> = entries
         .iter()

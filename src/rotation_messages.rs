@@ -59,6 +59,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn axis_angle_or_quaternion(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a vector of length 1 and a number are an axis and its angle, or a quaternion that is \
+             not normalised",
+            "a word that says which, or numbers that only one of them can have",
+            "write axis-angle [0, 0, 1] 0.7 for the first, w=0.7, x=0, y=0, z=1 for the second",
+        )
+    }
+
     pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
         let (expected, hint) = match wanted {
             Wanted::Quaternion => count_of_rotation(found),
@@ -68,7 +79,7 @@ impl Fault {
             ),
             Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
         };
-        let message = if wanted == Wanted::Quaternion && found > 5 {
+        let message = if wanted == Wanted::Quaternion && found > 5 && found != 9 {
             format!("{found} numbers are no quaternion, which has 4, and no matrix, which has 9")
         } else {
             format!("{} in place of {}", numbers(found), wanted.count())
@@ -214,17 +225,6 @@ impl Fault {
         )
     }
 
-    pub(crate) fn unknown_argument(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownComponent,
-            span,
-            format!("the argument {name} is not known here, and it may change the numbers"),
-            "the numbers of the rotation and their unit",
-            "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
-        )
-    }
-
     pub(crate) fn unknown_arguments(span: Span, name: &str, expected: &str) -> Self {
         let name = shorten(name, QUOTED_CHARACTERS);
         Self::new(
@@ -236,6 +236,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn axis_not_normalised(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!("{name} does not normalise its axis, so with this one it makes no rotation"),
+            "an axis of length 1",
+            "divide the axis by its length, or write the turn in words: 45deg about [1, 1, 0]",
+        )
+    }
+
     pub(crate) fn no_sequence(span: Span) -> Self {
         Self::new(
             ProblemCode::UnknownSequence,
@@ -244,6 +255,16 @@ impl Fault {
             "a sequence of three axes: capitals for axes that move (ZYX), small letters for fixed \
              ones (xyz)",
             "write ZYX 30deg 20deg 10deg, or roll=10deg pitch=20deg yaw=30deg",
+        )
+    }
+
+    pub(crate) fn sequence_or_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnknownSequence,
+            span,
+            "this is the first number of a quaternion, or the sequence of three Euler angles",
+            "a sequence with dashes, or a word before the numbers",
+            "write 3-2-1 30 20 10 for the angles, quaternion 321 30 20 10 for the four numbers",
         )
     }
 
@@ -302,6 +323,26 @@ impl Fault {
             "this angle has a unit already",
             "one unit for each angle",
             "remove one of them",
+        )
+    }
+
+    pub(crate) fn angle_and_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "one term of this sum has a unit of angle and the other has none",
+            "a unit beside every term",
+            "write the unit after each of them: 45deg + 0.5deg",
+        )
+    }
+
+    pub(crate) fn degrees_of_pi(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "a multiple of π is an angle in radians, and here it is given in degrees",
+            "a multiple of π without a unit, or a number of degrees",
+            "remove the unit, or write the number of degrees",
         )
     }
 

@@ -3,6 +3,7 @@
 //! It works on tokens, before any arithmetic: `3-2-1` is a sequence here and a difference later.
 
 use crate::angle::AngleUnit;
+use crate::constructor::is_derived_label;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Bracket, Token, TokenKind, last_segment};
 use crate::messages::Fault;
@@ -24,12 +25,18 @@ pub(crate) enum Spoken<'s, 't> {
     },
     /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
     Parts(Vec<SpokenPart<'s, 't>>),
+    /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that says they are something else.
+    Derived(Token<'t>),
+    /// Two attributes that are rotations: where the second stands.
+    Several(Span),
     /// `rotvec 0 0 0.785`: what is announced and what follows it.
     Announced(Announcement<'t>, &'s [Token<'t>]),
 }
 
 pub(crate) struct SpokenPart<'s, 't> {
     pub(crate) part: Part,
+    /// That of its name.
+    pub(crate) unit: Option<AngleUnit>,
     pub(crate) label: Span,
     pub(crate) tokens: &'s [Token<'t>],
 }
@@ -54,20 +61,25 @@ impl Part {
         }
     }
 
-    fn named(token: &Token<'_>) -> Option<Self> {
+    /// The part that a name is, with the unit at its end, as in `roll_deg`.
+    fn named(token: &Token<'_>) -> Option<(Self, Option<AngleUnit>)> {
         if !is_name(token) {
             return None;
         }
-        Some(
-            match last_segment(token.text).to_ascii_lowercase().as_str() {
-                "axis" => Self::Axis,
-                "angle" => Self::Angle,
-                "roll" => Self::Roll,
-                "pitch" => Self::Pitch,
-                "yaw" => Self::Yaw,
-                _ => return None,
-            },
-        )
+        let lower = last_segment(token.text).to_ascii_lowercase();
+        let (name, unit) = match lower.split_once('_') {
+            Some((name, unit)) => (name, Some(AngleUnit::named(unit)?)),
+            None => (lower.as_str(), None),
+        };
+        let part = match name {
+            "axis" if unit.is_none() => Self::Axis,
+            "angle" => Self::Angle,
+            "roll" => Self::Roll,
+            "pitch" => Self::Pitch,
+            "yaw" | "heading" => Self::Yaw,
+            _ => return None,
+        };
+        Some((part, unit))
     }
 }
 
@@ -78,6 +90,8 @@ pub(crate) struct Announcement<'t> {
     pub(crate) frame: Option<EulerFrame>,
     pub(crate) sequence: Option<Sequence<'t>>,
     pub(crate) unit: Option<AngleUnit>,
+    /// Whether another unit than that is written as well.
+    pub(crate) has_two_units: bool,
     pub(crate) span: Span,
 }
 
@@ -92,8 +106,15 @@ pub(crate) enum Sequence<'t> {
 const MOST_WRAPPINGS: usize = 3;
 
 pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'s, 't> {
-    let mut tokens = attribute(tokens).unwrap_or(tokens);
+    let mut tokens = match &attributes(tokens)[..] {
+        [] => tokens,
+        [only] => only,
+        [_, second, ..] => return Spoken::Several(second[0].span.to(second[2].span)),
+    };
     for _ in 0..=MOST_WRAPPINGS {
+        if let Some(label) = derived_label(tokens) {
+            return Spoken::Derived(label);
+        }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
             return Spoken::Announced(announcement, &tokens[length..]);
@@ -157,34 +178,51 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
     }
 }
 
-/// The `rpy="…"` of an element of URDF.
-fn attribute<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
-    let is_attribute = |three: &[Token<'_>]| {
+/// The only label of tokens, where it names what was made of a rotation.
+fn derived_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
+    let (label, rest) = tokens.split_first()?;
+    let is_label = is_name(label) && is_derived_label(label.text);
+    let mark = rest.iter().position(|token| is_mark(Some(token)))?;
+    // A type before it, or its unit after it, as in `rpy_rate (deg):`.
+    let is_alone = at_depth_zero(&rest[mark + 1..]).all(|at| !is_mark(rest.get(mark + 1 + at)));
+    let is_beside = rest[..mark]
+        .iter()
+        .all(|token| !matches!(token.kind, TokenKind::Number(_)));
+    (is_label && is_alone && is_beside).then_some(*label)
+}
+
+/// The `rpy="…"` of elements of URDF, or more than one of them without an element.
+fn attributes<'s, 't>(tokens: &'s [Token<'t>]) -> Vec<&'s [Token<'t>]> {
+    let is_attribute = |three: &&[Token<'_>]| {
         three[0].text == "rpy" && is_mark(three.get(1)) && three[2].kind == TokenKind::Quoted
     };
-    let is_element = tokens.first()?.kind == TokenKind::Open(Bracket::Angle);
-    let found = tokens.windows(3).find(|three| is_attribute(three));
-    found.filter(|_| is_element)
+    let is_element = |first: &Token<'_>| first.kind == TokenKind::Open(Bracket::Angle);
+    let found: Vec<_> = tokens.windows(3).filter(is_attribute).collect();
+    if found.len() > 1 || tokens.first().is_some_and(is_element) {
+        return found;
+    }
+    Vec::new()
 }
 
 /// The parts whose names a text begins with.
 pub(crate) fn parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s, 't>>> {
-    let found: Vec<(usize, Part)> = at_depth_zero(tokens)
+    let found: Vec<_> = at_depth_zero(tokens)
         .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
         .collect();
-    let [(first, _), later @ ..] = &found[..] else {
+    let [(first, ..), later @ ..] = &found[..] else {
         return None;
     };
     // A type may stand before the first name, as in `double roll = 0.1`.
     if *first > 1 || (*first == 1 && !is_name(&tokens[0])) {
         return None;
     }
-    let ends = later.iter().map(|&(at, _)| at);
+    let ends = later.iter().map(|&(at, ..)| at);
     let parts = found.iter().zip(ends.chain([tokens.len()]));
     Some(
         parts
-            .map(|(&(at, part), end)| SpokenPart {
+            .map(|(&(at, (part, unit)), end)| SpokenPart {
                 part,
+                unit,
                 label: tokens[at].span,
                 tokens: &tokens[at + 1 + usize::from(is_mark(tokens.get(at + 1)))..end],
             })
@@ -261,14 +299,19 @@ impl<'t> Announcement<'t> {
         if self.form.is_some()
             && let Some(unit) = first.angle_unit()
         {
-            self.unit = Some(unit);
+            self.take_unit(Some(unit));
             return Some(1);
         }
         self.take_phrase(tokens)
     }
 
     fn take_phrase(&mut self, tokens: &[Token<'t>]) -> Option<usize> {
-        let Phrase { said, unit, length } = phrase_ahead(tokens)?;
+        let Phrase {
+            said,
+            sequence,
+            unit,
+            length,
+        } = phrase_ahead(tokens)?;
         let next = tokens.get(length);
         // `quaternion: …` and `quaternion(…)` tell themselves.
         let tells_itself =
@@ -286,8 +329,27 @@ impl<'t> Announcement<'t> {
             }
             Said::Form(_) | Said::Frame(_) | Said::Angles(_) => return None,
         }
-        self.unit = self.unit.or(unit);
+        if let Some((letters, span)) = sequence
+            && self.sequence.is_none()
+        {
+            self.set_sequence(Sequence::Written(letters, span));
+        }
+        self.take_unit(unit);
         Some(length)
+    }
+
+    fn take_unit(&mut self, unit: Option<AngleUnit>) {
+        self.has_two_units |= self.unit.zip(unit).is_some_and(|(own, other)| own != other);
+        self.unit = self.unit.or(unit);
+    }
+
+    /// With the unit that a named word says besides.
+    pub(crate) fn with_unit(mut self, unit: Option<AngleUnit>) -> Result<Self, Fault> {
+        self.take_unit(unit);
+        if self.has_two_units {
+            return Err(Fault::mixed_units(self.span));
+        }
+        Ok(self)
     }
 
     fn set_sequence(&mut self, sequence: Sequence<'t>) {

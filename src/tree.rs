@@ -32,7 +32,7 @@ pub(crate) struct Entry<'t> {
     pub(crate) loose_sign: Option<Span>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Key<'t> {
     /// The label before it, such as `orientation:` above `x: 0`.
     pub(crate) heading: Option<&'t str>,
@@ -80,6 +80,16 @@ impl Node<'_> {
         match value.units {
             None => Ok(value),
             Some(_) => Err(Fault::unit_for_number(self.span)),
+        }
+    }
+
+    /// `True` or `false`, not in quotes.
+    pub(crate) fn truth(&self) -> Option<bool> {
+        match self.kind {
+            NodeKind::Word(word) if word.len() < self.span.end - self.span.start => None,
+            NodeKind::Word("True" | "true") => Some(true),
+            NodeKind::Word("False" | "false") => Some(false),
+            _ => None,
         }
     }
 

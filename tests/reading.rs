@@ -164,6 +164,22 @@ const PRINTED: &[(&str, OrderSource)] = &[
         OrderSource::Named,
     ),
     ("wxyz: 0.92 0.1 -0.2 0.38", OrderSource::Named),
+    (
+        r#"{"rotation": [0.1, -0.2, 0.38, 0.92], "order": "xyzw"}"#,
+        OrderSource::Named,
+    ),
+    (
+        r#"{"format": "wxyz", "quaternion": [0.92, 0.1, -0.2, 0.38], "id": 7}"#,
+        OrderSource::Named,
+    ),
+    (
+        r#"{"type": "quaternion", "w": 0.92, "x": 0.1, "y": -0.2, "z": 0.38}"#,
+        OrderSource::Named,
+    ),
+    (
+        "orientation:\n  x: 0.1\n  y: -0.2\n  z: 0.38\n  w: 0.92\norientation_covariance: [1, 0, 0, 0, 1, 0, 0, 0, 1]",
+        OrderSource::Named,
+    ),
     ("q_xyzw = [0.1, -0.2, 0.38, 0.92]", OrderSource::Named),
     (
         "Gf.Quatd(0.92, Gf.Vec3d(0.1, -0.2, 0.38))",

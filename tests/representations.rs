@@ -36,6 +36,12 @@ fn an_angle_about_an_axis() {
         ("about z by 45 deg", Z, FRAC_PI_4, DEGREES),
         ("pi/4 about [0, 0, 1]", Z, FRAC_PI_4, RADIANS),
         ("2pi*2 about z", Z, 4.0 * PI, RADIANS),
+        ("30° + 15° about z", Z, FRAC_PI_4, DEGREES),
+        ("0 + 90°/2 about z", Z, FRAC_PI_4, DEGREES),
+        ("2*22.5° about z", Z, FRAC_PI_4, DEGREES),
+        // Whole turns of many are left out exactly, after the arithmetic.
+        ("720000000000090 deg about z", Z, FRAC_PI_2, DEGREES),
+        ("1440.0° / 32 about z", Z, FRAC_PI_4, DEGREES),
         ("-90deg about -x", X.map(|part| -part), -FRAC_PI_2, DEGREES),
         ("0.785 rad about (1, 1, 0)", [1.0, 1.0, 0.0], 0.785, RADIANS),
         ("0.785rad about 1 1 0", [1.0, 1.0, 0.0], 0.785, RADIANS),
@@ -49,7 +55,29 @@ fn an_angle_about_an_axis() {
             DEGREES,
         ),
         ("(45deg about z)", Z, FRAC_PI_4, DEGREES),
+        ("45deg [0 0 1]", Z, FRAC_PI_4, DEGREES),
+        ("1 about z, unit=deg", Z, PI / 180.0, DEGREES),
+        (
+            r#"{"axis": [0, 0, 1], "angle": 1, "unit": "deg"}"#,
+            Z,
+            PI / 180.0,
+            DEGREES,
+        ),
+        ("45º about z", Z, FRAC_PI_4, DEGREES),
+        ("45˚ about z", Z, FRAC_PI_4, DEGREES),
+        ("45 Deg about z", Z, FRAC_PI_4, DEGREES),
+        ("45 DEG about z", Z, FRAC_PI_4, DEGREES),
+        ("2 RAD about z", Z, 2.0, RADIANS),
+        ("(z, 45°)", Z, FRAC_PI_4, DEGREES),
     ]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_rounded_full_turn_is_in_radians() {
+    for turn in ["6.2832", "-6.28319", "6.283185307179587"] {
+        let angle_rad = turn.parse().expect("a number");
+        check_axis_angle(&[(&format!("{turn} about z"), Z, angle_rad, AS_RADIANS)]);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -154,6 +182,31 @@ fn an_axis_and_an_angle_in_a_call() {
             RADIANS,
         ),
         ("R.from_euler('z', 90, degrees=True)", Z, FRAC_PI_2, DEGREES),
+        (
+            "Quat::from_axis_angle(Vec3::new(0.0, 0.0, 1.0), 0.785)",
+            Z,
+            0.785,
+            RADIANS,
+        ),
+        (
+            "UnitQuaternion::from_axis_angle(&Vector3::z_axis(), FRAC_PI_2)",
+            Z,
+            FRAC_PI_2,
+            RADIANS,
+        ),
+        // Three decimals are as good as 1; Bullet and Blender normalise.
+        (
+            "glm::angleAxis(0.785f, glm::vec3(0, 0, 0.9995))",
+            [0.0, 0.0, 0.9995],
+            0.785,
+            RADIANS,
+        ),
+        (
+            "tf2::Quaternion(tf2::Vector3(1, 1, 0), 0.785)",
+            [1.0, 1.0, 0.0],
+            0.785,
+            RADIANS,
+        ),
     ]);
 }
 
@@ -165,6 +218,16 @@ fn a_rotation_vector() {
         ("rotvec: {x: 0, y: 0, z: 7}", [0.0, 0.0, 7.0], AS_RADIANS),
         ("rotvec = [0, 0, 7]", [0.0, 0.0, 7.0], AS_RADIANS),
         ("rotvec [0, 0, pi]", [0.0, 0.0, PI], RADIANS),
+        (
+            "rotvec(0, 0, 45, degrees=True)",
+            [0.0, 0.0, FRAC_PI_4],
+            DEGREES,
+        ),
+        (
+            r#"{"rotvec": [0, 0, 45], "units": "degrees"}"#,
+            [0.0, 0.0, FRAC_PI_4],
+            DEGREES,
+        ),
         ("rotvec 0 0 45deg", [0.0, 0.0, FRAC_PI_4], DEGREES),
         ("rotvec 30° -45° 0", [FRAC_PI_6, -FRAC_PI_4, 0.0], DEGREES),
         ("rotvec [30 0 45] deg", [FRAC_PI_6, 0.0, FRAC_PI_4], DEGREES),
@@ -186,6 +249,11 @@ fn a_rotation_vector() {
         (
             "from_rotvec([0, 0, np.pi/2], degrees=False)",
             [0.0, 0.0, FRAC_PI_2],
+            RADIANS,
+        ),
+        (
+            "UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.0, 0.785))",
+            [0.0, 0.0, 0.785],
             RADIANS,
         ),
     ];
@@ -225,6 +293,7 @@ fn a_matrix_row_by_row() {
         "R.from_matrix(np.array([[0, 0, 1], [-1, 0, 0], [0, -0.5, 0]]))",
         "Quaternion(matrix=np.array([[0, 0, 1], [-1, 0, 0], [0, -0.5, 0]]))",
         "tf2::Matrix3x3(0, 0, 1, -1, 0, 0, 0, -0.5, 0)",
+        "nalgebra::Matrix3::new(0, 0, 1, -1, 0, 0, 0, -0.5, 0)",
         "Eigen::Matrix3d R{{0, 0, 1}, {-1, 0, 0}, {0, -0.5, 0}};",
         "[[0, 0, 1], [-cos(0), 0, 0], [0, -sin(pi/6), 0]]",
         "(0, 0, 1), (-1, 0, 0), (0, -0.5, 0)",
@@ -299,9 +368,18 @@ fn where_a_quaternion_or_a_vector_is_wanted_the_others_are_refused() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_vector_and_a_scalar_in_the_open_stay_a_quaternion() {
-    let parsed = parse_rotation("[[0, 0, 1], 0.7]", Field::P, ComponentOrder::ScalarFirst);
-    let Ok(ParsedRotation::Quaternion(parsed)) = parsed else {
-        panic!("{parsed:?}");
-    };
-    assert_eq!((parsed.quaternion.w, parsed.quaternion.k), (0.7, 1.0));
+    // Of an axis and an angle the vector would have length 1 and the four numbers would not.
+    for (text, w, k) in [
+        ("[[0, 0, 0.6], 0.8]", 0.8, 0.6),
+        ("[[0, 0, 2], 0.7]", 0.7, 2.0),
+        ("([0, 0, 1], 0)", 0.0, 1.0),
+        ("Gf.Quatd(0.5, Gf.Vec3d(0, 0, 1))", 0.5, 1.0),
+    ] {
+        let parsed = parse_rotation(text, Field::P, ComponentOrder::ScalarFirst);
+        let Ok(ParsedRotation::Quaternion(parsed)) = parsed else {
+            panic!("{text}: {parsed:?}");
+        };
+        let quaternion = parsed.quaternion;
+        assert_eq!((quaternion.w, quaternion.k), (w, k), "{text}");
+    }
 }

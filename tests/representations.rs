@@ -8,7 +8,7 @@ use quatlas::{
     ComponentOrder, Field, ParsedRotation, UnitSource, parse_quaternion, parse_rotation,
     parse_vector,
 };
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
@@ -314,8 +314,10 @@ fn degrees_become_the_nearest_doubles() {
         (30.0, FRAC_PI_6),
         (45.0, FRAC_PI_4),
         (60.0, FRAC_PI_3),
+        (60.0, FRAC_PI_3),
         (90.0, FRAC_PI_2),
         (180.0, PI),
+        (-360.0, -TAU),
     ];
     for (degrees, radians) in cases {
         check_axis_angle(&[

@@ -158,6 +158,12 @@ mod syntax;
 // What a call does with its numbers.
 mod constructor;
 
+// Words that are known before numbers.
+mod phrases;
+
+// Named words that say something of all the numbers.
+mod settings;
+
 // Members with names.
 mod names;
 
@@ -178,9 +184,6 @@ mod axis;
 
 /// What a text holds when it holds a rotation.
 pub mod representation;
-
-// Words that are known before numbers.
-mod phrases;
 
 // What the words of a text announce.
 mod spoken;

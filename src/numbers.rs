@@ -1,6 +1,7 @@
 //! Lists of plain numbers: what holds them and what separates them.
 
 use crate::constructor::{self, Call};
+use crate::euler_sequence::EulerSequence;
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::names::without_options;
@@ -62,4 +63,16 @@ pub(crate) fn check_separators(entries: &[Entry<'_>], span: Span) -> Result<(), 
         return Err(Fault::mixed_separators(span));
     }
     check_signs(entries)
+}
+
+/// The place of `321` in `321 30 20 10`, which is a sequence with its angles or a quaternion.
+pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
+    let entries = members(entries).ok()?;
+    let [first, ..] = &entries[..] else {
+        return None;
+    };
+    let value = first.node.real().ok().filter(|_| entries.len() == 4)?;
+    let names_axes = value > 0.0 && value.to_string().parse::<EulerSequence>().is_ok();
+    let are_named = entries.iter().any(|entry| entry.key.is_some());
+    (names_axes && !are_named).then_some(first.node.span)
 }

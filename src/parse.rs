@@ -90,11 +90,13 @@ use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
-use crate::names::{component, without_settings};
-use crate::phrases::{self, Form};
+use crate::names::component;
+use crate::numbers;
+use crate::phrases::Form;
 use crate::problem::{Field, Problem, Span, Wanted};
 use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
+use crate::settings::without_settings;
 use crate::spoken::{Spoken, spoken};
 use crate::syntax;
 use crate::tree::{Entry, NodeKind};
@@ -281,7 +283,7 @@ fn described<'t>(
         if let Some(rotation) = announced::angle_beside_axis(&entries)? {
             return Ok(Described::InItself(rotation));
         }
-        if let Some(first) = phrases::sequence_among_numbers(&entries) {
+        if let Some(first) = numbers::sequence_among_numbers(&entries) {
             return Err(Fault::sequence_or_number(first));
         }
     }

@@ -4,9 +4,7 @@ use crate::angle::AngleUnit;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Token, TokenKind, last_segment};
 use crate::messages::Fault;
-use crate::numbers::members;
 use crate::problem::Span;
-use crate::tree::Entry;
 
 /// What numbers can be announced as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -216,18 +214,6 @@ pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<u
     let is_apart =
         is_mark(Some(next)) || next.kind == TokenKind::Comma || !next.spacing.is_adjacent();
     (is_in_form && is_known && is_apart && !goes_on).then_some(5)
-}
-
-/// The place of `321` in `321 30 20 10`, which is a sequence with its angles or a quaternion.
-pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
-    let entries = members(entries).ok()?;
-    let [first, ..] = &entries[..] else {
-        return None;
-    };
-    let value = first.node.real().ok().filter(|_| entries.len() == 4)?;
-    let names_axes = value > 0.0 && value.to_string().parse::<EulerSequence>().is_ok();
-    let are_named = entries.iter().any(|entry| entry.key.is_some());
-    (names_axes && !are_named).then_some(first.node.span)
 }
 
 /// The sequence that letters or digits name; a word for the frame wins over the letters' case.

@@ -57,7 +57,6 @@ impl Attitude {
         let Declared { convention, matrix } = declared;
         let span = Span::of_trimmed(text);
         let in_field = |fault: Fault| fault.in_field(field);
-        let too_large = |_| Fault::too_large(span).in_field(field);
         let (form, rotation, unit) = match parse_rotation(text, field, convention.order)? {
             ParsedRotation::Quaternion(parsed) => {
                 return Self::of_quaternion(parsed, convention, span).map_err(in_field);
@@ -68,11 +67,7 @@ impl Attitude {
                     angle_rad: plain(parsed.angle_rad),
                 };
                 let rotation = Rotation::from_axis_angle(parsed.axis.into(), parsed.angle_rad);
-                (
-                    Form::AxisAngle(read),
-                    rotation.map_err(too_large)?,
-                    Some(parsed.unit),
-                )
+                (Form::AxisAngle(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::RotationVector(parsed) => {
                 let read = ReadRotationVector {
@@ -80,11 +75,8 @@ impl Attitude {
                 };
                 let rotation = Rotation::from_rotation_vector_rad(parsed.vector_rad.into());
                 let is_long = parsed.vector_rad.amax() > TAU;
-                (
-                    Form::RotationVector(read),
-                    rotation.map_err(too_large)?,
-                    is_long.then_some(parsed.unit),
-                )
+                let unit = is_long.then_some(parsed.unit);
+                (Form::RotationVector(read), rotation, unit)
             }
             ParsedRotation::EulerAngles(parsed) => {
                 let read = ReadEulerAngles {
@@ -92,17 +84,14 @@ impl Attitude {
                     angles_rad: parsed.angles_rad.map(plain),
                 };
                 let rotation = Rotation::from_euler_rad(parsed.sequence, parsed.angles_rad);
-                (
-                    Form::EulerAngles(read),
-                    rotation.map_err(too_large)?,
-                    Some(parsed.unit),
-                )
+                (Form::EulerAngles(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::Matrix(entries) => {
                 let (read, rotation) = of_matrix(entries, matrix, span).map_err(in_field)?;
-                (Form::Matrix(read), rotation, None)
+                (Form::Matrix(read), Ok(rotation), None)
             }
         };
+        let rotation = rotation.map_err(|_| in_field(Fault::too_large(span)))?;
         Ok(Self {
             form,
             parsed: None,

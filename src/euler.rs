@@ -154,46 +154,46 @@ struct Extrinsic {
     sum: [f64; 2],
     /// `sin(a₂/2)` times cosine and sine of the half difference, with the same factor.
     difference: [f64; 2],
-    outer: Outer,
-}
-
-enum Outer {
-    Same,
-    /// With the sign of i-j-k, and the middle angle.
-    Different {
-        sign: f64,
-        middle: f64,
-    },
+    /// The norms of the two.
+    sum_size: f64,
+    difference_size: f64,
+    /// ε where the outer axes differ, 1 where they are the same.
+    sign: f64,
+    middle: f64,
 }
 
 impl Extrinsic {
     fn of(q: &Quaternion<f64>, axes: [Axis; 3]) -> Self {
         let part = |axis: usize| q.vector()[axis];
         let [i, j, k] = axes.map(Axis::index);
-        // 1 for x-y-z and its rotations.
-        let sign = |i: usize, j: usize| if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
-        if i == k {
+        // ε: 1 for x-y-z and its rotations.
+        let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
+        let (sum, difference) = if i == k {
             let other = 3 - i - j;
-            return Self {
-                sum: [q.w, part(i)],
-                difference: [part(j), sign(i, j) * part(other)],
-                outer: Outer::Same,
-            };
-        }
-        let sign = sign(i, j);
-        let (q_i, q_j, q_k) = (sign * part(i), part(j), part(k));
-        let sum = [q.w - q_j, q_k + q_i];
-        let difference = [q.w + q_j, q_k - q_i];
-        // sin(a₂) and cos(a₂) times |q|²; the tangent of the half would lose a small angle.
-        let sine = TwoFloat::new_mul(q.w, q_j) - TwoFloat::new_mul(q_k, q_i);
-        let cosine = Norm::of(&sum).value() * Norm::of(&difference).value();
+            ([q.w, part(i)], [part(j), sign * part(other)])
+        } else {
+            let q_i = sign * part(i);
+            (
+                [q.w - part(j), part(k) + q_i],
+                [q.w + part(j), part(k) - q_i],
+            )
+        };
+        let sum_size = Norm::of(&sum).value();
+        let difference_size = Norm::of(&difference).value();
+        let middle = if i == k {
+            2.0 * libm::atan2(difference_size, sum_size)
+        } else {
+            // sin(a₂) and cos(a₂) times |q|²; the tangent of the half would lose a small angle.
+            let sine = TwoFloat::new_mul(q.w, part(j)) - TwoFloat::new_mul(part(k), sign * part(i));
+            libm::atan2(2.0 * sine.hi(), sum_size * difference_size)
+        };
         Self {
             sum,
             difference,
-            outer: Outer::Different {
-                sign,
-                middle: libm::atan2(2.0 * sine.hi(), cosine),
-            },
+            sum_size,
+            difference_size,
+            sign: if i == k { 1.0 } else { sign },
+            middle,
         }
     }
 
@@ -205,28 +205,12 @@ impl Extrinsic {
         libm::atan2(self.difference[1], self.difference[0])
     }
 
-    fn middle(&self) -> f64 {
-        match self.outer {
-            Outer::Same => {
-                2.0 * libm::atan2(
-                    Norm::of(&self.difference).value(),
-                    Norm::of(&self.sum).value(),
-                )
-            }
-            Outer::Different { middle, .. } => middle,
-        }
-    }
-
     fn with_outer(&self, first: f64, third: f64) -> [f64; 3] {
-        let sign = match self.outer {
-            Outer::Same => 1.0,
-            Outer::Different { sign, .. } => sign,
-        };
-        [wrapped(sign * first), self.middle(), wrapped(third)]
+        [wrapped(self.sign * first), self.middle, wrapped(third)]
     }
 
     fn angles(&self) -> [f64; 3] {
-        if self.sum == [0.0; 2] || self.difference == [0.0; 2] {
+        if self.sum_size == 0.0 || self.difference_size == 0.0 {
             return self.canonical();
         }
         let (sum, difference) = (self.half_sum(), self.half_difference());
@@ -235,7 +219,7 @@ impl Extrinsic {
 
     /// Whether the half sum is what is known better.
     fn keeps_sum(&self) -> bool {
-        Norm::of(&self.sum).value() > Norm::of(&self.difference).value()
+        self.sum_size > self.difference_size
     }
 
     fn canonical(&self) -> [f64; 3] {
@@ -249,23 +233,15 @@ impl Extrinsic {
 
     /// The middle angle's distance from the lock.
     fn distance_rad(&self) -> f64 {
-        let (sum, difference) = (Norm::of(&self.sum), Norm::of(&self.difference));
-        let (small, large) = if self.keeps_sum() {
-            (difference, sum)
-        } else {
-            (sum, difference)
-        };
-        2.0 * libm::atan2(small.value(), large.value())
+        let small = self.sum_size.min(self.difference_size);
+        let large = self.sum_size.max(self.difference_size);
+        2.0 * libm::atan2(small, large)
     }
 
     fn survivor(&self, frame: EulerFrame) -> (Survivor, f64) {
         let [_, _, third] = self.canonical();
-        let is_same_sign = match self.outer {
-            Outer::Same => self.keeps_sum(),
-            Outer::Different { sign, .. } => self.keeps_sum() == (sign > 0.0),
-        };
         // Of a₁ + a₃ and a₁ − a₃ where a₁ = 0.
-        match (is_same_sign, frame) {
+        match (self.keeps_sum() == (self.sign > 0.0), frame) {
             (true, _) => (Survivor::Sum, third),
             (false, EulerFrame::Intrinsic) => (Survivor::Difference, third),
             (false, EulerFrame::Extrinsic) => (Survivor::Difference, wrapped(-third)),

@@ -2,7 +2,7 @@
 
 use crate::nearest_rotation;
 use crate::rotation::Rotation;
-use crate::scaling::{self, Norm};
+use crate::scaling::Norm;
 use nalgebra::Matrix3;
 use twofloat::TwoFloat;
 
@@ -77,9 +77,6 @@ impl Rotation {
     fn precise_unit(&self) -> [TwoFloat; 4] {
         let q = self.canonical();
         let norm = Norm::of(q.coords.as_slice());
-        [q.w, q.i, q.j, q.k].map(|number| {
-            let scaled = scaling::times_power_of_two(number, -norm.exponent);
-            scaling::quotient(scaled.into(), norm.fraction)
-        })
+        [q.w, q.i, q.j, q.k].map(|number| norm.divide_precisely(number))
     }
 }

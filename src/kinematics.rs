@@ -5,8 +5,8 @@
 //! (`ω_W = R_WB ω_B`). On which side it stands follows the increments of the same axes: the
 //! derivative of `q∘Exp(σδ)` is `(σ/2) q∘ω` (specification, FX-25 and table 2.2).
 
-use crate::convention::{ComponentSign, Convention, Direction, Perturbation};
-use crate::perturbation::Side;
+use crate::convention::{Convention, Perturbation};
+use crate::perturbation::{IncrementSign, Side};
 use crate::quaternion::{self, TaggedQuaternion};
 use crate::rotation::{NoRotation, Rotation};
 use crate::rotation_matrix::TaggedMatrix;
@@ -79,10 +79,7 @@ impl Convention {
 
     /// The pure quaternion σω.
     fn signed_rate(self, rate_rad: [f64; 3]) -> TaggedQuaternion {
-        let sign = match self.component_sign() {
-            ComponentSign::Canonical => 1.0,
-            ComponentSign::Conjugated => -1.0,
-        };
+        let sign = self.increment_factor(IncrementSign::Physical);
         TaggedQuaternion {
             components: Quaternion::from_parts(0.0, Vector3::from(rate_rad) * sign),
             convention: self,
@@ -137,10 +134,7 @@ impl TaggedMatrix {
     #[doc(alias("R_dot"))]
     pub fn derivative(&self, rate_rad: [f64; 3], axes: RateAxes) -> Matrix3<f64> {
         let skew = Vector3::from(rate_rad).cross_matrix();
-        let signed = match self.convention.operator() {
-            Direction::BodyToWorld => skew,
-            Direction::WorldToBody => -skew,
-        };
+        let signed = skew * self.convention.increment_factor(IncrementSign::Physical);
         match self.convention.increment_side(axes.perturbation()) {
             Side::Right => self.entries * signed,
             Side::Left => signed * self.entries,
@@ -159,10 +153,7 @@ impl TaggedMatrix {
             Side::Right => -(self.entries * vector.cross_matrix()),
             Side::Left => -(self.entries * vector).cross_matrix(),
         };
-        match self.convention.operator() {
-            Direction::BodyToWorld => by_formal_increment,
-            Direction::WorldToBody => -by_formal_increment,
-        }
+        by_formal_increment * self.convention.increment_factor(IncrementSign::Physical)
     }
 }
 

@@ -80,18 +80,14 @@ impl NearestRotation {
 
 /// The rotation nearest to a finite matrix; `None` where no one is nearer than all others.
 pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
-    let dominant = Dominant::of(&davenport(&unit_size(matrix).map(TwoFloat::from)));
+    let scale = scaling::working_scale(matrix.as_slice());
+    let working_size = |entry| TwoFloat::from(scaling::times_power_of_two(entry, scale));
+    let k = davenport(&matrix.map(working_size));
+    let dominant = Dominant::of(&k);
     if dominant.gap < SMALLEST_GAP {
         return None;
     }
-    let scale = scaling::working_scale(matrix.as_slice());
-    let working_size = |entry| TwoFloat::from(scaling::times_power_of_two(entry, scale));
-    let eigenvalue = scaling::working_size(dominant.eigenvalue);
-    let q = eigenvector(
-        &davenport(&matrix.map(working_size)),
-        dominant.pivot,
-        eigenvalue,
-    )?;
+    let q = eigenvector(&k, dominant.pivot, dominant.eigenvalue)?;
     Some(Rotation::from_precise(q))
 }
 
@@ -137,6 +133,7 @@ fn davenport(m: &Matrix3<TwoFloat>) -> Matrix4<TwoFloat> {
 
 /// What plain doubles tell of the first eigenvector.
 struct Dominant {
+    /// At the working size, as `K` is.
     eigenvalue: f64,
     /// The place of the largest component.
     pivot: usize,
@@ -146,7 +143,10 @@ struct Dominant {
 
 impl Dominant {
     fn of(k: &Matrix4<TwoFloat>) -> Self {
-        let eigen = k.map(|entry| entry.hi()).symmetric_eigen();
+        // At a size whose squares and cubes are far from overflow.
+        let eigen = k
+            .map(|entry| scaling::from_working_size(entry.hi()))
+            .symmetric_eigen();
         let first = eigen.eigenvalues.imax();
         let second = (0..4)
             .filter(|&place| place != first)
@@ -155,7 +155,7 @@ impl Dominant {
             });
         let eigenvalue = eigen.eigenvalues[first];
         Self {
-            eigenvalue,
+            eigenvalue: scaling::working_size(eigenvalue),
             pivot: eigen.eigenvectors.column(first).iamax(),
             // K has the trace 0, so the first eigenvalue is 0 only for the zero matrix.
             gap: if eigenvalue > 0.0 {

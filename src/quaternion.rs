@@ -180,9 +180,7 @@ impl TaggedQuaternion {
             Some(exponent) => scaling::scale(&self.components.conjugate(), -2 * exponent),
             None => Quaternion {
                 coords: self.components.conjugate().coords.map(|number| {
-                    let scaled = scaling::times_power_of_two(number, -norm.exponent);
-                    let unit = quotient(scaled.into(), norm.fraction);
-                    let inverse = quotient(unit, norm.fraction);
+                    let inverse = quotient(norm.divide_precisely(number), norm.fraction);
                     scaling::times_power_of_two(inverse.hi(), -norm.exponent)
                 }),
             },

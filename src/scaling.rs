@@ -39,6 +39,11 @@ pub(crate) fn working_size(number: f64) -> f64 {
     times_power_of_two(number, WORKING_EXPONENT)
 }
 
+/// A number of the working size, where `2^400` becomes 1.
+pub(crate) fn from_working_size(number: f64) -> f64 {
+    times_power_of_two(number, -WORKING_EXPONENT)
+}
+
 /// The quaternion times `2^exponent`.
 pub(crate) fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f64> {
     let scaled = |number| times_power_of_two(number, exponent);
@@ -107,8 +112,13 @@ impl Norm {
 
     /// A number divided by the norm, rounded once.
     pub(crate) fn divide(self, number: f64) -> f64 {
+        self.divide_precisely(number).hi()
+    }
+
+    /// A number divided by the norm, with 106 bits.
+    pub(crate) fn divide_precisely(self, number: f64) -> TwoFloat {
         let scaled = times_power_of_two(number, -self.exponent);
-        quotient(scaled.into(), self.fraction).hi()
+        quotient(scaled.into(), self.fraction)
     }
 }
 

@@ -4,7 +4,7 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{assert_close, integrated_entries, wasm_bindgen_test};
+use common::{assert_close, integrated_entries, runge_kutta, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{EulerFrame, EulerSequence, RateAxes};
 use reference::{CLOSE, SLOPE, assert_order, assert_same, elementary, slope, unskew};
@@ -130,12 +130,7 @@ fn angles_are_integrated_with_order_4() {
         };
         let mut angles = start;
         for n in 0..steps {
-            let time = f64::from(n) * h;
-            let a = derivative(time, angles);
-            let b = derivative(time + h / 2.0, angles + a * (h / 2.0));
-            let c = derivative(time + h / 2.0, angles + b * (h / 2.0));
-            let d = derivative(time + h, angles + c * h);
-            angles += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+            angles = runge_kutta(f64::from(n) * h, h, angles, derivative);
         }
         attitude(sequence, angles)
     };

@@ -5,7 +5,7 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, wasm_bindgen_test};
+use common::{all_conventions, runge_kutta, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Matrix4, Quaternion, Vector3, Vector4};
 use quatlas::{
     Convention, IntegrationOrder, MatrixConvention, RateAxes, Rotation, Side, TaggedMatrix,
@@ -197,19 +197,14 @@ fn changing_rate(time: f64) -> Vector3<f64> {
 
 /// The attitude after a unit of time by 4000 Runge-Kutta steps on the nine entries.
 fn fine_reference(start: &Vector3<f64>, axes: RateAxes) -> Matrix3<f64> {
-    let derivative = |time: f64, r: &Matrix3<f64>| match axes {
+    let derivative = |time: f64, r: Matrix3<f64>| match axes {
         RateAxes::Body => r * skew(&changing_rate(time)),
         RateAxes::World => skew(&changing_rate(time)) * r,
     };
     let (steps, mut r) = (4000, exponential_matrix(start));
     let h = 1.0 / f64::from(steps);
     for n in 0..steps {
-        let time = f64::from(n) * h;
-        let a = derivative(time, &r);
-        let b = derivative(time + h / 2.0, &(r + a * (h / 2.0)));
-        let c = derivative(time + h / 2.0, &(r + b * (h / 2.0)));
-        let d = derivative(time + h, &(r + c * h));
-        r += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+        r = runge_kutta(f64::from(n) * h, h, r, derivative);
     }
     r
 }
@@ -269,12 +264,7 @@ fn runge_kutta_on_the_components_has_order_4() {
             };
             let mut time = 0.0;
             while time < 1.0 - h / 2.0 {
-                let now = q.components;
-                let a = derivative(time, now);
-                let b = derivative(time + h / 2.0, now + a * (h / 2.0));
-                let c = derivative(time + h / 2.0, now + b * (h / 2.0));
-                let d = derivative(time + h, now + c * h);
-                q.components = now + (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+                q.components = runge_kutta(time, h, q.components, derivative);
                 q = q.normalize().expect("not zero");
                 time += h;
             }

@@ -4,7 +4,7 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, assert_close, integrated_entries, wasm_bindgen_test};
+use common::{all_conventions, assert_close, integrated_entries, runge_kutta, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     ComponentOrder, Direction, Function, Handedness, MatrixConvention, Rotation, TaggedQuaternion,
@@ -312,12 +312,7 @@ fn the_rotation_vector_is_integrated_with_order_4() {
         };
         let (mut v, mut wraps) = (start, 0);
         for n in 0..steps {
-            let time = f64::from(n) * h;
-            let a = derivative(time, v);
-            let b = derivative(time + h / 2.0, v + a * (h / 2.0));
-            let c = derivative(time + h / 2.0, v + b * (h / 2.0));
-            let d = derivative(time + h, v + c * h);
-            v += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+            v = runge_kutta(f64::from(n) * h, h, v, derivative);
             if v.norm() > PI {
                 v *= 1.0 - TAU / v.norm();
                 wraps += 1;

@@ -11,6 +11,7 @@ use quatlas::{
     Function, Handedness, MatrixConvention, Outcome, ParsedRotation, Perturbation, Problem,
     ReadReport, ReadRequest, Request, Rotation, TaggedMatrix, UnitSource, analyze, parse_rotation,
 };
+use std::ops::{Add, Mul};
 pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
 
 pub(crate) const DEGREES: UnitSource = UnitSource::Written(AngleUnit::Degrees);
@@ -121,6 +122,18 @@ pub(crate) fn nearest(entries: Matrix3<f64>, convention: MatrixConvention) -> Ro
         .rotation
 }
 
+/// A value one step later, by the classical Runge-Kutta method.
+pub(crate) fn runge_kutta<T>(time: f64, step: f64, value: T, derivative: impl Fn(f64, T) -> T) -> T
+where
+    T: Copy + Add<Output = T> + Mul<f64, Output = T>,
+{
+    let a = derivative(time, value);
+    let b = derivative(time + step / 2.0, value + a * (step / 2.0));
+    let c = derivative(time + step / 2.0, value + b * (step / 2.0));
+    let d = derivative(time + step, value + c * step);
+    value + (a + b * 2.0 + c * 2.0 + d) * (step / 6.0)
+}
+
 /// The nine entries of `R_WB` after a time with the body's rate, by steps of the classical
 /// Runge-Kutta method on `Ṙ = R [ω_B]×`.
 pub(crate) fn integrated_entries(
@@ -132,13 +145,9 @@ pub(crate) fn integrated_entries(
     let mut r = start;
     let h = duration / f64::from(steps);
     for n in 0..steps {
-        let time = f64::from(n) * h;
-        let derivative = |time: f64, r: Matrix3<f64>| r * body_rate(time).cross_matrix();
-        let a = derivative(time, r);
-        let b = derivative(time + h / 2.0, r + a * (h / 2.0));
-        let c = derivative(time + h / 2.0, r + b * (h / 2.0));
-        let d = derivative(time + h, r + c * h);
-        r += (a + b * 2.0 + c * 2.0 + d) * (h / 6.0);
+        r = runge_kutta(f64::from(n) * h, h, r, |time, r| {
+            r * body_rate(time).cross_matrix()
+        });
     }
     r
 }

@@ -2,7 +2,7 @@
 import { type Axis, axes, axisValues } from "../address.ts";
 import type { Convention, MatrixConvention } from "../engine.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { arrowOf, axisWords, fiveWords, nameOf, operatorOf } from "./words.ts";
+import { arrowOf, axisWords, fiveWords, nameOf, operatorOf, valueWords } from "./words.ts";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;
@@ -73,15 +73,14 @@ function Choice({
   chosen: string;
   choose: (value: string) => void;
 }) {
-  const { name, asks, values } = axisWords[axis];
-  const words: Record<string, [string, string]> = values;
+  const { name, asks } = axisWords[axis];
   return (
     <fieldset class="axis">
       <legend>
         {name} {of} <span class="axis-asks">{asks}</span>
       </legend>
       {axisValues[axis].map((value) => {
-        const [word, effect] = words[value] ?? [value, ""];
+        const [word, effect] = valueWords(axis, value);
         return (
           <label key={value}>
             <input

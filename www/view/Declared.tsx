@@ -69,20 +69,22 @@ function RulesList({ rules }: { rules: Rules }) {
         Components: {rules.isCanonical ? "those of Hamilton" : "the conjugate of Hamilton's"}.
       </li>
       <li>
-        By labels <Product left={<Q of="AB" />} right={<Q of="BC" />} side={rules.labelledFirst} />{" "}
-        is <Q of="AC" />.
+        By labels{" "}
+        <Product first={<Q of="AB" />} second={<Q of="BC" />} side={rules.labelledFirst} /> is{" "}
+        <Q of="AC" />.
       </li>
       <li>
         A camera C on the body B:{" "}
-        <Product left={<Q of="WB" />} right={<Q of="BC" />} side={rules.chainFirst} /> is its
+        <Product first={<Q of="WB" />} second={<Q of="BC" />} side={rules.chainFirst} /> is its
         quaternion in the world.
       </li>
       <li>
-        A small turn: <Product left={<var>δq</var>} right={<var>q</var>} side={rules.increment} />.
+        A small turn: <Product first={<var>δq</var>} second={<var>q</var>} side={rules.increment} />
+        .
       </li>
       <li>
         The body's rate: <var>q̇</var> = {rules.isCanonical ? "½" : "−½"}{" "}
-        <Product left={<var>ω</var>} right={<var>q</var>} side={rules.bodyRate} />.
+        <Product first={<var>ω</var>} second={<var>q</var>} side={rules.bodyRate} />.
       </li>
     </ul>
   );
@@ -97,23 +99,20 @@ function Q({ of }: { of: string }) {
   );
 }
 
-/** Two factors; `side` is where the first named one stands. */
+/** Two factors, the first of them on this side. */
 function Product({
-  left,
-  right,
+  first,
+  second,
   side,
 }: {
-  left: ComponentChildren;
-  right: ComponentChildren;
+  first: ComponentChildren;
+  second: ComponentChildren;
   side: Side;
 }) {
-  return side === "left" ? (
+  const [left, right] = side === "left" ? [first, second] : [second, first];
+  return (
     <span class="factors">
       {left}∘{right}
-    </span>
-  ) : (
-    <span class="factors">
-      {right}∘{left}
     </span>
   );
 }

@@ -1,5 +1,5 @@
 // The names of the texts and of the two presets; the same words everywhere on the page.
-import type { Axis, Preset } from "../address.ts";
+import { type Axis, axes, type Preset } from "../address.ts";
 import type { Convention, Direction, Engine, Field, Handedness } from "../engine.ts";
 
 /** What a text is called in formulas. */
@@ -92,16 +92,15 @@ export const axisWords: {
   },
 };
 
+/** The word of a value, and what it does. */
+export function valueWords(axis: Axis, value: string): [string, string] {
+  const words: Record<string, [string, string]> = axisWords[axis].values;
+  return words[value] ?? [value, ""];
+}
+
 /** A convention in its five words. */
 export function fiveWords(convention: Convention): string {
-  const { order, handedness, direction, perturbation } = axisWords;
-  return [
-    order.values[convention.order][0],
-    handedness.values[convention.handedness][0],
-    axisWords.function.values[convention.function][0],
-    direction.values[convention.direction][0],
-    perturbation.values[convention.perturbation][0],
-  ].join(", ");
+  return axes.map((axis) => valueWords(axis, convention[axis])[0]).join(", ");
 }
 
 /** The direction of the matrix that a quaternion acts with: the active one is the inverse. */
@@ -113,13 +112,18 @@ export function operatorOf({
   return direction === "body-to-world" ? "world-to-body" : "body-to-world";
 }
 
+/** What decides the matrix and the product of a convention. */
+const actions = ["handedness", "function", "direction"] as const;
+
+function agree(names: readonly Axis[], one: Convention, other: Convention): boolean {
+  return names.every((axis) => one[axis] === other[axis]);
+}
+
 /** The preset that says the same as a convention, but for the places of the numbers and small turns. */
 export function presetLike(convention: Convention, engine: Engine): Preset | undefined {
-  const same = (preset: Preset) =>
-    (["handedness", "function", "direction"] as const).every(
-      (axis) => engine[preset][axis] === convention[axis],
-    );
-  return (["hamilton", "jpl"] as const).find(same);
+  return (["hamilton", "jpl"] as const).find((preset) =>
+    agree(actions, engine[preset], convention),
+  );
 }
 
 /** The name of a convention that has one; the perturbation is none of its business. */
@@ -135,9 +139,5 @@ export function nameOf(convention: Convention, engine: Engine): string | undefin
       { ...hamilton, function: "active", direction: "world-to-body" },
     ],
   ];
-  const isSame = (other: Convention) =>
-    (["order", "handedness", "function", "direction"] as const).every(
-      (axis) => other[axis] === convention[axis],
-    );
-  return known.find(([, other]) => isSame(other))?.[0];
+  return known.find(([, other]) => agree(["order", ...actions], other, convention))?.[0];
 }

@@ -7,6 +7,7 @@
 use crate::attitude::{Attitude, Declared, euler, rules, turn};
 use crate::compose::compose;
 use crate::convention::Convention;
+use crate::identify::identify;
 use crate::parse::parse_vector;
 use crate::problem::{Field, Problem};
 use crate::report::{
@@ -14,6 +15,7 @@ use crate::report::{
     ReadReport, coordinates,
 };
 use crate::request::{ComposeRequest, ReadRequest, Request};
+use crate::translate::translate;
 
 /// The answer to a request: a report with notes, or the problems of its texts.
 ///
@@ -38,6 +40,10 @@ pub fn analyze(request: &Request) -> Outcome {
         Request::Compose(request) => {
             answer_compose(request).map(|report| Outcome::Compose(Box::new(report)))
         }
+        Request::Translate(request) => {
+            translate(request).map(|report| Outcome::Translate(Box::new(report)))
+        }
+        Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

@@ -173,13 +173,20 @@ names!(Perturbation {
 ///
 /// This is the sign σ of the specification: two conventions give one attitude
 /// the same numbers if and only if their signs agree.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
 #[doc(alias = "sigma")]
 pub enum ComponentSign {
     /// σ = +1: the components of the canonical quaternion.
     Canonical,
     /// σ = −1: its vector part has the other sign.
     Conjugated,
+}
+
+impl ComponentSign {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Canonical, Self::Conjugated];
 }
 
 /// What four numbers mean: five independent choices.

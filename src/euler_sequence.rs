@@ -20,7 +20,9 @@ use std::fmt;
 use std::str::FromStr;
 
 /// A coordinate axis, right-handed in this order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// The first axis, 1.
     X,

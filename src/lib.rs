@@ -95,6 +95,23 @@ pub mod euler_rates;
 /// Poses between named frames.
 pub mod pose;
 
+/// Other names for the same axes.
+pub mod axis_mapping;
+
+// Libraries.
+
+/// What libraries do with four numbers.
+pub mod library;
+
+/// One end of a translation.
+pub mod endpoint;
+
+/// What a library may do with four numbers.
+pub mod behaviour;
+
+/// What was tried on a library.
+pub mod probe;
+
 // What the literature prints, in numbers.
 
 // The two sides of a statement.
@@ -123,6 +140,12 @@ mod report_attitude;
 /// What a careful reader should know.
 mod report_notes;
 
+/// What a translation answers.
+mod report_translate;
+
+/// What an identification answers.
+mod report_identify;
+
 /// What is answered.
 pub mod report;
 
@@ -139,6 +162,9 @@ mod matrix_messages;
 
 // The sentences of problems of rotations.
 mod rotation_messages;
+
+// The sentences of problems of translation and identification.
+mod library_messages;
 
 // Text to tokens.
 mod lex;
@@ -205,6 +231,24 @@ mod attitude;
 // Two quaternions together.
 mod compose;
 
+// From one end of a translation to the other.
+mod translate;
+
+// What a library is asked, and what it may answer.
+mod observation;
+
+// A probe in texts to numbers.
+mod observe;
+
+// A probe as code.
+mod probe_code;
+
+// What is settled, in words.
+mod sentence;
+
+// Which convention a library uses.
+mod identify;
+
 /// A request in, an outcome out.
 pub mod analyze;
 
@@ -214,26 +258,33 @@ pub mod wasm;
 
 pub use analyze::analyze;
 pub use angle::{AngleUnit, UnitSource};
+pub use axis_mapping::{
+    AxesChange, AxesHand, AxisMapping, OneSidedReflection, Sense, SignedAxis, UnknownAxes,
+};
+pub use behaviour::{Behaviour, BehaviourAxis};
 pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, Perturbation,
     UnknownName,
 };
+pub use endpoint::{Assumption, ConventionEndpoint, Endpoint, LibraryEndpoint};
 pub use errata::{Erratum, SourceDocument, Witness, errata};
 pub use euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use kinematics::{IntegrationOrder, RateAxes, action_jacobian};
+pub use library::*;
 pub use nearest_rotation::{NearestRotation, NoNearestRotation};
 pub use parse::{ParsedQuaternion, parse_quaternion, parse_rotation, parse_vector};
 pub use perturbation::{IncrementSign, Side, small_angle_matrix, small_angle_quaternion};
 pub use pose::{FramesDoNotMeet, Pose};
+pub use probe::{MatrixLayout, Probe, ProbeKind};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
 pub use representation::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
 };
-pub use request::{ComposeRequest, ReadRequest, Request};
+pub use request::{ComposeRequest, IdentifyRequest, ReadRequest, Request, TranslateRequest};
 pub use rotation::{NoRotation, Rotation};
 pub use rotation_matrix::{CosineMatrix, MatrixConvention, ROTATION_TOLERANCE, TaggedMatrix};
 pub use rotation_vector::{

@@ -1,7 +1,7 @@
 //! The sentences of problems of matrices.
 
-use crate::messages::{Fault, QUOTED_CHARACTERS};
-use crate::problem::{ProblemCode, Span, shorten};
+use crate::messages::Fault;
+use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 

@@ -2,10 +2,7 @@
 //!
 //! Those about rotations stand in `rotation_messages.rs`; here are those about text and numbers.
 
-use crate::problem::{Field, Problem, ProblemCode, Span, Wanted, shorten};
-
-/// How many characters of the user's own text a message repeats.
-pub(crate) const QUOTED_CHARACTERS: usize = 24;
+use crate::problem::{Field, Problem, ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 /// A problem before it knows which text it stands in.
 #[derive(Clone, Debug, PartialEq)]

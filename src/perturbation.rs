@@ -90,7 +90,7 @@ impl MatrixConvention {
 /// The Hamilton quaternion of a rotation vector, `[cos(|v|/2), sin(|v|/2) v/|v|]`.
 ///
 /// Its numbers are the same in both products, as powers of one axis commute.
-fn exponential(vector_rad: Vector3<f64>) -> Result<Quaternion<f64>, NoRotation> {
+pub(crate) fn exponential(vector_rad: Vector3<f64>) -> Result<Quaternion<f64>, NoRotation> {
     let rotation = Rotation::from_rotation_vector_rad(vector_rad.into())?;
     Ok(rotation.to_tagged(Convention::HAMILTON).components)
 }

@@ -21,6 +21,24 @@ pub enum Field {
     Q,
     /// The vector `x`.
     Vector,
+    /// Where a translation comes from.
+    From,
+    /// Where a translation goes to.
+    To,
+    /// The change of the world axes of a translation.
+    WorldAxes,
+    /// The change of the body axes of a translation.
+    BodyAxes,
+    /// The left operand of an observed product.
+    A,
+    /// The right operand of an observed product.
+    B,
+    /// The matrix that went into an observed library.
+    Matrix,
+    /// The rotation vector of an observed perturbation.
+    RotationVector,
+    /// What an observed library printed.
+    Printed,
 }
 
 /// A half-open range of a text.
@@ -153,6 +171,14 @@ pub enum ProblemCode {
     MixedUnits,
     /// Another description of a rotation where only a quaternion is read.
     NotAQuaternion,
+    /// Another description of a rotation where only a matrix is read.
+    NotAMatrix,
+    /// An id that no library of the table has.
+    UnknownLibrary,
+    /// A text that names no mapping of axes.
+    UnknownAxes,
+    /// Axes of the other hand on one side only.
+    OneSidedReflection,
 }
 
 impl ProblemCode {
@@ -188,6 +214,10 @@ impl ProblemCode {
             Self::UnknownSequence => "unknown-sequence",
             Self::MixedUnits => "mixed-units",
             Self::NotAQuaternion => "not-a-quaternion",
+            Self::NotAMatrix => "not-a-matrix",
+            Self::UnknownLibrary => "unknown-library",
+            Self::UnknownAxes => "unknown-axes",
+            Self::OneSidedReflection => "one-sided-reflection",
         }
     }
 }
@@ -307,6 +337,9 @@ impl Wanted {
         }
     }
 }
+
+/// How many characters of the user's own text a message repeats.
+pub(crate) const QUOTED_CHARACTERS: usize = 24;
 
 /// The first `most` characters of a text, with an ellipsis where some were left out.
 pub(crate) fn shorten(text: &str, most: usize) -> String {

@@ -7,7 +7,9 @@
 use crate::convention::{Convention, Direction};
 use crate::problem::{Field, Problem};
 pub use crate::report_attitude::*;
+pub use crate::report_identify::*;
 pub use crate::report_notes::*;
+pub use crate::report_translate::*;
 use serde::{Deserialize, Serialize};
 
 /// A report, or the problems that stand in its way.
@@ -19,6 +21,10 @@ pub enum Outcome {
     Read(Box<ReadReport>),
     /// The answer to a [`Request::Compose`](crate::Request::Compose).
     Compose(Box<ComposeReport>),
+    /// The answer to a [`Request::Translate`](crate::Request::Translate).
+    Translate(Box<TranslateReport>),
+    /// The answer to a [`Request::Identify`](crate::Request::Identify); problems of its texts are in it.
+    Identify(Box<IdentifyReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -147,13 +153,27 @@ pub struct Product {
 }
 
 impl Outcome {
-    /// The same outcome with every span counted in UTF-16 units of the text it points into.
+    /// The same outcome with every span counted in UTF-16 units of the text it points into: the text
+    /// of a field, of the observation at a place where there are several.
     #[must_use]
-    pub fn in_utf16(mut self, text_of: impl Fn(Field) -> String) -> Self {
-        if let Self::Problems(Problems { problems }) = &mut self {
-            for problem in problems {
-                problem.span = problem.span.in_utf16(&text_of(problem.field));
+    pub fn in_utf16(mut self, text_of: impl Fn(Field, usize) -> String) -> Self {
+        let in_utf16 = |problem: &mut Problem, at| {
+            problem.span = problem.span.in_utf16(&text_of(problem.field, at));
+        };
+        match &mut self {
+            Self::Problems(Problems { problems }) => {
+                for problem in problems {
+                    in_utf16(problem, 0);
+                }
             }
+            Self::Identify(report) => {
+                for (at, observation) in report.observations.iter_mut().enumerate() {
+                    if let ObservationReport::Problem(found) = observation {
+                        in_utf16(&mut found.problem, at);
+                    }
+                }
+            }
+            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => {}
         }
         self
     }

@@ -1,7 +1,10 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
 use crate::convention::Convention;
+use crate::endpoint::Endpoint;
 use crate::euler_sequence::EulerSequence;
+use crate::library::Language;
+use crate::probe::{Probe, ProbeKind};
 use crate::rotation_matrix::MatrixConvention;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +17,10 @@ pub enum Request {
     Read(ReadRequest),
     /// What do these two make together?
     Compose(ComposeRequest),
+    /// What is this attitude elsewhere?
+    Translate(TranslateRequest),
+    /// Which convention does a library use?
+    Identify(IdentifyRequest),
 }
 
 /// One attitude and one vector.
@@ -49,6 +56,70 @@ pub struct ComposeRequest {
     /// What nine numbers of either are declared to mean; body to world where it is left out.
     #[serde(default)]
     pub matrix: MatrixConvention,
+}
+
+/// One attitude, from one library or convention to another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct TranslateRequest {
+    /// The attitude as the first end writes it: its four numbers, its matrix, its constructor call; or
+    /// any other accepted form.
+    pub quaternion: String,
+    /// Where it comes from.
+    pub from: Endpoint,
+    /// Where it goes to.
+    pub to: Endpoint,
+    /// The new world axes (`NED to ENU`, `y x -z`); empty where they stay.
+    #[serde(default)]
+    pub world_axes: String,
+    /// The new body axes (`FRD to FLU`, `x -y -z`); empty where they stay.
+    #[serde(default)]
+    pub body_axes: String,
+}
+
+/// What a library printed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct IdentifyRequest {
+    /// The observations in any order, of any kind and number.
+    pub observations: Vec<Probe>,
+    /// The name of the library, for the sentence.
+    #[serde(default)]
+    pub name: String,
+    /// The language of the code of the next probe.
+    #[serde(default)]
+    pub language: Language,
+    /// Kinds of probes that cannot be run.
+    #[serde(default)]
+    pub unavailable: Vec<ProbeKind>,
+}
+
+impl TranslateRequest {
+    /// The request with the axes as they are.
+    #[must_use]
+    pub fn new(quaternion: &str, from: Endpoint, to: Endpoint) -> Self {
+        Self {
+            quaternion: quaternion.to_owned(),
+            from,
+            to,
+            world_axes: String::new(),
+            body_axes: String::new(),
+        }
+    }
+}
+
+impl IdentifyRequest {
+    /// The request without a name, with code in Python.
+    #[must_use]
+    pub fn new(observations: Vec<Probe>) -> Self {
+        Self {
+            observations,
+            name: String::new(),
+            language: Language::default(),
+            unavailable: Vec::new(),
+        }
+    }
 }
 
 impl ReadRequest {

@@ -76,16 +76,31 @@ impl fmt::Display for MatrixConvention {
 }
 
 /// Which formula makes a matrix of the four numbers of a quaternion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[doc(alias("C_H", "C_S"))]
 pub enum CosineMatrix {
     /// `C_H(q) = [(w² − v·v) I + 2 w [v]× + 2 v vᵀ] / |q|²`, which is also called `R(q)`.
+    #[serde(rename = "R")]
     Hamilton,
     /// `C_S(q) = C_H(q)ᵀ`, which is also called `C(q)`.
+    #[serde(rename = "C")]
     Shuster,
 }
 
 impl CosineMatrix {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Hamilton, Self::Shuster];
+
+    /// The other one.
+    #[must_use]
+    pub const fn transposed(self) -> Self {
+        match self {
+            Self::Hamilton => Self::Shuster,
+            Self::Shuster => Self::Hamilton,
+        }
+    }
+
     /// The matrix of these numbers by this formula; `None` for the zero quaternion and for numbers
     /// that are not finite.
     #[must_use]

@@ -2,8 +2,8 @@
 
 use crate::angle::AngleUnit;
 use crate::matrix_messages::{UPPER_LEFT, numbers};
-use crate::messages::{Fault, QUOTED_CHARACTERS};
-use crate::problem::{ProblemCode, Span, Wanted, shorten};
+use crate::messages::Fault;
+use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 /// The words that announce what the numbers are, each with an example.
 const ANNOUNCEMENTS: &str = "say what they are: 45deg about z, rotvec 0 0 0.785, \

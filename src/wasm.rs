@@ -4,6 +4,7 @@
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
 
 use crate::convention::Convention;
+use crate::library::TABLE;
 use crate::problem::Field;
 use crate::request::Request;
 use js_sys::TypeError;
@@ -30,7 +31,7 @@ pub fn analyze(
 ) -> Result<JsValue, TypeError> {
     let request: Request = serde_wasm_bindgen::from_value(request)
         .map_err(|error| TypeError::new(&format!("this is not a request: {error}")))?;
-    let outcome = crate::analyze(&request).in_utf16(|field| text_of(&request, field));
+    let outcome = crate::analyze(&request).in_utf16(|field, at| text_of(&request, field, at));
     to_js(&outcome)
 }
 
@@ -41,6 +42,12 @@ pub fn presets() -> Result<JsValue, TypeError> {
         hamilton: Convention::HAMILTON,
         jpl: Convention::JPL,
     })
+}
+
+/// The table of libraries, as JSON: an array of `Library`.
+#[wasm_bindgen(js_name = librariesJson)]
+pub fn libraries_json() -> String {
+    TABLE.to_owned()
 }
 
 /// What the last panic said, once; undefined where there was none.
@@ -66,12 +73,20 @@ fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
     serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
 }
 
-fn text_of(request: &Request, field: Field) -> String {
-    match (request, field) {
-        (Request::Read(read), Field::Vector) => read.vector.clone(),
-        (Request::Read(read), _) => read.quaternion.clone(),
-        (Request::Compose(compose), Field::P) => compose.p.clone(),
-        (Request::Compose(compose), Field::Q) => compose.q.clone(),
-        (Request::Compose(compose), _) => compose.vector.clone(),
-    }
+fn text_of(request: &Request, field: Field, at: usize) -> String {
+    let text = match (request, field) {
+        (Request::Read(read), Field::Vector) => &read.vector,
+        (Request::Read(read), _) => &read.quaternion,
+        (Request::Compose(compose), Field::P) => &compose.p,
+        (Request::Compose(compose), Field::Q) => &compose.q,
+        (Request::Compose(compose), _) => &compose.vector,
+        (Request::Translate(translate), Field::WorldAxes) => &translate.world_axes,
+        (Request::Translate(translate), Field::BodyAxes) => &translate.body_axes,
+        (Request::Translate(translate), _) => &translate.quaternion,
+        (Request::Identify(identify), field) => {
+            let probe = identify.observations.get(at);
+            return probe.map_or_else(String::new, |probe| probe.text(field).to_owned());
+        }
+    };
+    text.clone()
 }

@@ -259,7 +259,7 @@ fn spans_count_utf16_units_at_the_edge() {
         panic!("{outcome:?}")
     };
     assert_eq!(&text[inside.span.start..inside.span.end], "oops");
-    let [at_the_edge] = &problems(outcome.in_utf16(|_| text.to_owned()))[..] else {
+    let [at_the_edge] = &problems(outcome.in_utf16(|_, _| text.to_owned()))[..] else {
         panic!("one problem")
     };
     assert_eq!((at_the_edge.span.start, at_the_edge.span.end), (13, 17));

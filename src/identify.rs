@@ -1,0 +1,299 @@
+//! Which convention a library uses, from what it printed.
+//!
+//! Every observation is compared with what each of the 128 behaviours prints; those remain that agree
+//! with all observations. The next probe is the one whose answer leaves the fewest, on average.
+
+use crate::behaviour::{Behaviour, BehaviourAxis};
+use crate::convention::{Direction, Function};
+use crate::library::libraries;
+use crate::observation::{Printed, Question, print_the_same};
+use crate::observe::{printed, question, rounding};
+use crate::probe::{MatrixLayout, Probe};
+use crate::probe_code::code;
+use crate::report::{
+    Contradiction, IdentifyReport, Labels, LibraryMatch, NextProbe, ObservationProblem,
+    ObservationReport, Told, Unexplained, remaining,
+};
+use crate::request::IdentifyRequest;
+use crate::sentence::sentence;
+use std::collections::HashSet;
+
+/// Noise of single precision, after a few operations on numbers of size 1.
+const SINGLE_PRECISION: f64 = 1e-5;
+
+/// What is farther from every behaviour than this is a mistake, unless the numbers are rounded: a
+/// small turn to first order is up to this far from the exact one.
+const FIRST_ORDER: f64 = 2e-3;
+
+/// Of numbers with one decimal or none: how far they may be off at most.
+const COARSEST: f64 = 0.05;
+
+/// A behaviour that is this many times farther away than the nearest is not the one.
+const CLEARLY_FARTHER: f64 = 3.0;
+
+/// Rounding of the numbers that went in adds to that of those that came out.
+const ROUNDINGS: f64 = 4.0;
+
+/// What can be said of a library, whatever was entered.
+pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
+    let read: Vec<Read> = request.observations.iter().map(Read::of).collect();
+    let told: Vec<(usize, &[Behaviour])> = read
+        .iter()
+        .enumerate()
+        .filter_map(|(at, read)| Some((at, read.possible.as_deref()?)))
+        .collect();
+    let possible = agreeing(&told);
+    let left = remaining(&possible);
+    IdentifyReport {
+        possible: possible.len(),
+        settled: left.settled(),
+        labels: labels(&left.direction),
+        libraries: matches(&possible),
+        next: next_probe(request, &possible),
+        contradiction: contradiction(&told),
+        sentence: sentence(&request.name, &left),
+        remaining: left,
+        observations: read.into_iter().map(|read| read.report).collect(),
+    }
+}
+
+/// An observation, and the behaviours that agree with it.
+struct Read {
+    report: ObservationReport,
+    /// Absent where it tells nothing: not made yet, or not understood.
+    possible: Option<Vec<Behaviour>>,
+}
+
+impl Read {
+    fn of(probe: &Probe) -> Self {
+        let nothing = |report| Self {
+            report,
+            possible: None,
+        };
+        let problem = |problem| nothing(ObservationReport::Problem(ObservationProblem { problem }));
+        match (question(probe), printed(probe)) {
+            (_, Ok(None)) => nothing(ObservationReport::Empty),
+            (Err(found), _) | (_, Err(found)) => problem(found),
+            (Ok(question), Ok(Some(printed))) => {
+                Self::of_observation(&question, &printed, rounding(probe))
+            }
+        }
+    }
+
+    fn of_observation(question: &Question, printed: &Printed, rounding: f64) -> Self {
+        let distance = |behaviour: &Behaviour| {
+            let answers = question.answers(behaviour);
+            let distances = answers
+                .iter()
+                .map(|answer| answer.distance(printed, behaviour.array));
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let distances: Vec<(Behaviour, f64)> = Behaviour::all()
+            .map(|behaviour| (behaviour, distance(&behaviour)))
+            .collect();
+        let nearest = distances
+            .iter()
+            .map(|(_, distance)| *distance)
+            .fold(f64::INFINITY, f64::min);
+        let rounding = (ROUNDINGS * rounding).min(COARSEST);
+        if nearest > FIRST_ORDER.max(ROUNDINGS * rounding) {
+            let distance = nearest.is_finite().then_some(nearest);
+            return Self {
+                report: ObservationReport::Unexplained(Unexplained { distance }),
+                possible: None,
+            };
+        }
+        let near = SINGLE_PRECISION
+            .max(rounding)
+            .max(CLEARLY_FARTHER * nearest);
+        let possible: Vec<Behaviour> = distances
+            .into_iter()
+            .filter(|(_, distance)| *distance <= near)
+            .map(|(behaviour, _)| behaviour)
+            .collect();
+        Self {
+            report: ObservationReport::Told(Told {
+                possible: possible.len(),
+                settles: remaining(&possible).settled(),
+                distance: nearest,
+            }),
+            possible: Some(possible),
+        }
+    }
+}
+
+/// The behaviours that agree with all of these.
+fn agreeing(told: &[(usize, &[Behaviour])]) -> Vec<Behaviour> {
+    Behaviour::all()
+        .filter(|behaviour| {
+            told.iter()
+                .all(|(_, possible)| possible.contains(behaviour))
+        })
+        .collect()
+}
+
+/// The fewest observations that do not agree: a pair, or three, or all that there are.
+fn contradiction(told: &[(usize, &[Behaviour])]) -> Option<Contradiction> {
+    if !agreeing(told).is_empty() {
+        return None;
+    }
+    let pairs = told.iter().enumerate().flat_map(|(at, one)| {
+        let others = told.iter().skip(at + 1);
+        others.map(move |other| vec![*one, *other])
+    });
+    let triples = pairs.clone().flat_map(|pair| {
+        let last = pair.iter().map(|(at, _)| *at).max().unwrap_or(0);
+        let others: Vec<_> = told.iter().filter(|(at, _)| *at > last).copied().collect();
+        others.into_iter().map(move |third| {
+            let mut three = pair.clone();
+            three.push(third);
+            three
+        })
+    });
+    let disagreeing = pairs
+        .chain(triples)
+        .find(|some| agreeing(some).is_empty())
+        .unwrap_or_else(|| told.to_vec());
+    Some(Contradiction {
+        about: disputed(&disagreeing),
+        observations: disagreeing.iter().map(|(at, _)| *at).collect(),
+    })
+}
+
+/// The choices that two of the observations settle differently.
+fn disputed(told: &[(usize, &[Behaviour])]) -> Vec<BehaviourAxis> {
+    let settled: Vec<_> = told
+        .iter()
+        .map(|(_, possible)| (remaining(possible).settled(), possible[0]))
+        .collect();
+    let is_disputed = |axis: &BehaviourAxis| {
+        let mut values = settled
+            .iter()
+            .filter(|(settled, _)| settled.contains(axis))
+            .map(|(_, behaviour)| axis.is_second(behaviour));
+        let first = values.next();
+        values.any(|value| Some(value) != first)
+    };
+    BehaviourAxis::ALL.into_iter().filter(is_disputed).collect()
+}
+
+/// What no numbers tell apart: each direction of the call that rotates has two names.
+fn labels(directions: &[Direction]) -> Vec<Labels> {
+    directions
+        .iter()
+        .flat_map(|&direction| {
+            [
+                Labels {
+                    function: Function::Passive,
+                    direction,
+                },
+                Labels {
+                    function: Function::Active,
+                    direction: direction.reversed(),
+                },
+            ]
+        })
+        .collect()
+}
+
+/// The records that agree, those that say most first.
+fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
+    let mut found: Vec<LibraryMatch> = libraries()
+        .iter()
+        .filter(|library| possible.iter().any(|behaviour| behaviour.is_of(library)))
+        .map(|library| LibraryMatch {
+            id: library.id.clone(),
+            unestablished: library.unestablished(),
+        })
+        .collect();
+    found.sort_by_key(|library| library.unestablished.len());
+    found
+}
+
+/// The probes that may be proposed; of equally good ones the first is.
+///
+/// Their numbers are easy to type and to read. The quaternion (½, ½, ½, ½) is the same in both orders;
+/// it turns by 120° about (1, 1, 1), so it moves every axis onto another one.
+fn standard_probes() -> [Probe; 7] {
+    let text = str::to_owned;
+    let printed = String::new;
+    [
+        Probe::Product {
+            a: text("0 1 0 0"),
+            b: text("0 0 1 0"),
+            printed: printed(),
+        },
+        Probe::Rotate {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            vector: text("1 2 3"),
+            printed: printed(),
+        },
+        Probe::Matrix {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            printed: printed(),
+            layout: MatrixLayout::Rows,
+        },
+        Probe::FromMatrix {
+            matrix: text("0 0 1; 1 0 0; 0 1 0"),
+            layout: MatrixLayout::Rows,
+            printed: printed(),
+        },
+        Probe::Components {
+            quaternion: text("0.1 0.5 0.5 0.7"),
+            printed: printed(),
+        },
+        Probe::QuarterTurn { printed: printed() },
+        Probe::Perturb {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            rotation_vector: text("0.1 0 0"),
+            printed: printed(),
+        },
+    ]
+}
+
+fn next_probe(request: &IdentifyRequest, possible: &[Behaviour]) -> Option<NextProbe> {
+    let mut best: Option<((f64, f64), Probe, usize)> = None;
+    for probe in standard_probes() {
+        if request.unavailable.contains(&probe.kind()) {
+            continue;
+        }
+        let Ok(question) = question(&probe) else {
+            continue;
+        };
+        let mut answers: Vec<Vec<Behaviour>> = Vec::new();
+        for behaviour in possible {
+            match answers
+                .iter_mut()
+                .find(|same| print_the_same(&question, &same[0], behaviour))
+            {
+                Some(same) => same.push(*behaviour),
+                None => answers.push(vec![*behaviour]),
+            }
+        }
+        if answers.len() < 2 {
+            continue;
+        }
+        let expected = |size: &dyn Fn(&[Behaviour]) -> usize| -> f64 {
+            let sum: usize = answers.iter().map(|left| left.len() * size(left)).sum();
+            sum as f64 / possible.len() as f64
+        };
+        // First what the library itself does, then how its user means the attitude.
+        let of_library = |left: &[Behaviour]| {
+            let distinct: HashSet<_> = left.iter().map(Behaviour::of_library).collect();
+            distinct.len()
+        };
+        let leaves = (expected(&of_library), expected(&<[Behaviour]>::len));
+        let is_better = best.as_ref().is_none_or(|(least, _, _)| leaves < *least);
+        if is_better {
+            best = Some((leaves, probe, answers.len()));
+        }
+    }
+    let ((_, leaves), probe, answers) = best?;
+    Some(NextProbe {
+        code: code(&probe, request.language),
+        language: request.language,
+        probe,
+        answers,
+        leaves,
+    })
+}

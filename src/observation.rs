@@ -1,0 +1,210 @@
+//! What a library is asked, what it printed, and what each behaviour would print.
+
+use crate::behaviour::Behaviour;
+use crate::convention::{ComponentOrder, ComponentSign, Handedness, Perturbation};
+use crate::nearest_rotation::nearest;
+use crate::probe::MatrixLayout;
+use crate::quaternion::{hamilton_product, jpl_product};
+use crate::rotation_matrix::CosineMatrix;
+use nalgebra::{Matrix3, Quaternion, Vector3};
+
+/// Four numbers, with or without names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Numbers {
+    /// Which number is which is known.
+    Named(Quaternion<f64>),
+    /// They stand as the library takes or prints them.
+    AsWritten([f64; 4]),
+}
+
+impl Numbers {
+    fn in_order(self, order: ComponentOrder) -> Quaternion<f64> {
+        match (self, order) {
+            (Self::Named(quaternion), _) => quaternion,
+            (Self::AsWritten([w, x, y, z]), ComponentOrder::ScalarFirst)
+            | (Self::AsWritten([x, y, z, w]), ComponentOrder::ScalarLast) => {
+                Quaternion::new(w, x, y, z)
+            }
+        }
+    }
+}
+
+/// What goes in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Question {
+    Components(Numbers),
+    Product(Numbers, Numbers),
+    Rotate(Numbers, Vector3<f64>),
+    Matrix(Numbers, MatrixLayout),
+    FromMatrix(Matrix3<f64>, MatrixLayout),
+    QuarterTurn,
+    /// A quaternion, and the body-to-world quaternion of the turn of the body.
+    Perturb(Numbers, Quaternion<f64>),
+}
+
+/// What comes out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Printed {
+    Quaternion(Numbers),
+    Vector(Vector3<f64>),
+    Matrix(Matrix3<f64>),
+}
+
+/// What a behaviour would print.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Answer {
+    /// Itself or its opposite, which is the same rotation.
+    Rotation(Quaternion<f64>),
+    /// Itself.
+    Quaternion(Quaternion<f64>),
+    Vector(Vector3<f64>),
+    Matrix(Matrix3<f64>),
+}
+
+/// Numbers of norm 1 that differ by less are taken for the same.
+const SAME: f64 = 1e-6;
+
+impl Question {
+    /// What this behaviour prints: two possible answers where the layout is not known, none where it
+    /// cannot print any.
+    pub(crate) fn answers(&self, behaviour: &Behaviour) -> Vec<Answer> {
+        let given = |numbers: Numbers| numbers.in_order(behaviour.constructor);
+        match *self {
+            Self::Components(numbers) => vec![Answer::Rotation(given(numbers))],
+            Self::Product(a, b) => vec![product(behaviour.handedness, &given(a), &given(b))],
+            Self::Rotate(quaternion, vector) => behaviour
+                .rotate
+                .of(&given(quaternion))
+                .map(|matrix| Answer::Vector(matrix * vector))
+                .into_iter()
+                .collect(),
+            Self::Matrix(quaternion, layout) => behaviour
+                .matrix
+                .of(&given(quaternion))
+                .into_iter()
+                .flat_map(|matrix| layouts(layout, matrix))
+                .map(Answer::Matrix)
+                .collect(),
+            Self::FromMatrix(matrix, layout) => layouts(layout, matrix)
+                .filter_map(|matrix| nearest(&matrix))
+                .map(|rotation| {
+                    Answer::Rotation(match behaviour.matrix {
+                        CosineMatrix::Hamilton => *rotation.canonical(),
+                        CosineMatrix::Shuster => rotation.canonical().conjugate(),
+                    })
+                })
+                .collect(),
+            Self::QuarterTurn => {
+                let yawed = Quaternion::new(1.0, 0.0, 0.0, 1.0);
+                vec![Answer::Rotation(signed(yawed, behaviour.attitude))]
+            }
+            Self::Perturb(quaternion, turn) => {
+                // By the body-to-world quaternion, of which the numbers may be the conjugate.
+                let attitude = signed(given(quaternion), behaviour.attitude);
+                let turned = match behaviour.perturbation {
+                    Perturbation::Local => hamilton_product(&attitude, &turn),
+                    Perturbation::Global => hamilton_product(&turn, &attitude),
+                };
+                vec![Answer::Rotation(signed(turned, behaviour.attitude))]
+            }
+        }
+    }
+}
+
+/// Where `a * b` is minus `b * a`, as with i and j, the sign is all that tells the products apart.
+fn product(handedness: Handedness, a: &Quaternion<f64>, b: &Quaternion<f64>) -> Answer {
+    let (hamilton, jpl) = (hamilton_product(a, b), jpl_product(a, b));
+    let product = match handedness {
+        Handedness::Right => hamilton,
+        Handedness::Left => jpl,
+    };
+    if (hamilton + jpl).norm() <= SAME * hamilton.norm() {
+        Answer::Quaternion(product)
+    } else {
+        Answer::Rotation(product)
+    }
+}
+
+fn signed(quaternion: Quaternion<f64>, sign: ComponentSign) -> Quaternion<f64> {
+    match sign {
+        ComponentSign::Canonical => quaternion,
+        ComponentSign::Conjugated => quaternion.conjugate(),
+    }
+}
+
+fn layouts(layout: MatrixLayout, matrix: Matrix3<f64>) -> impl Iterator<Item = Matrix3<f64>> {
+    let (as_rows, as_columns) = match layout {
+        MatrixLayout::Rows => (true, false),
+        MatrixLayout::Columns => (false, true),
+        MatrixLayout::Unknown => (true, true),
+    };
+    let rows = as_rows.then_some(matrix).into_iter();
+    rows.chain(as_columns.then_some(matrix.transpose()))
+}
+
+impl Answer {
+    /// How far what was printed is from this, relative to the size of either.
+    ///
+    /// Infinite for another kind of thing, and for what has no direction.
+    pub(crate) fn distance(&self, printed: &Printed, array: ComponentOrder) -> f64 {
+        match (self, printed) {
+            (Self::Quaternion(expected), Printed::Quaternion(numbers)) => {
+                let printed = numbers.in_order(array);
+                between(printed.coords.as_slice(), expected.coords.as_slice())
+            }
+            (Self::Rotation(expected), Printed::Quaternion(numbers)) => {
+                let printed = numbers.in_order(array);
+                let twin = -expected;
+                between(printed.coords.as_slice(), expected.coords.as_slice())
+                    .min(between(printed.coords.as_slice(), twin.coords.as_slice()))
+            }
+            (Self::Vector(expected), Printed::Vector(printed)) => {
+                between(printed.as_slice(), expected.as_slice())
+            }
+            (Self::Matrix(expected), Printed::Matrix(printed)) => {
+                between(printed.as_slice(), expected.as_slice())
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// The answer as it is printed.
+    pub(crate) fn printed(&self, array: ComponentOrder) -> Printed {
+        match *self {
+            Self::Rotation(quaternion) | Self::Quaternion(quaternion) => {
+                let c = quaternion.coords;
+                Printed::Quaternion(Numbers::AsWritten(match array {
+                    ComponentOrder::ScalarFirst => [c.w, c.x, c.y, c.z],
+                    ComponentOrder::ScalarLast => [c.x, c.y, c.z, c.w],
+                }))
+            }
+            Self::Vector(vector) => Printed::Vector(vector),
+            Self::Matrix(matrix) => Printed::Matrix(matrix),
+        }
+    }
+}
+
+/// Whether two behaviours cannot be told apart by this question.
+pub(crate) fn print_the_same(question: &Question, one: &Behaviour, other: &Behaviour) -> bool {
+    let mut expected = question.answers(other).into_iter();
+    question.answers(one).iter().all(|answer| {
+        let printed = answer.printed(one.array);
+        expected
+            .next()
+            .is_some_and(|expected| expected.distance(&printed, other.array) < SAME)
+    })
+}
+
+/// The distance of two lists of numbers after each was divided by its norm.
+fn between(printed: &[f64], expected: &[f64]) -> f64 {
+    let norm = |numbers: &[f64]| numbers.iter().map(|n| n * n).sum::<f64>().sqrt();
+    let (one, other) = (norm(printed), norm(expected));
+    if !(one.is_finite() && other.is_finite() && one > 0.0 && other > 0.0) {
+        return f64::INFINITY;
+    }
+    let squares = printed
+        .iter()
+        .zip(expected)
+        .map(|(p, e)| (p / one - e / other).powi(2));
+    squares.sum::<f64>().sqrt()
+}

@@ -1,0 +1,113 @@
+//! What is settled of a library, as a sentence for an issue.
+
+use crate::convention::{ComponentOrder, Direction, Handedness, Perturbation};
+use crate::perturbation::Side;
+use crate::report::Remaining;
+use crate::rotation_matrix::CosineMatrix;
+
+/// One sentence of what is settled, and one of what is not.
+pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
+    let name = match name.trim() {
+        "" => "The library",
+        name => name,
+    };
+    let clauses = [
+        only(&left.handedness).map(|handedness| match handedness {
+            Handedness::Right => "multiplies Hamilton (i*j = k)".to_owned(),
+            Handedness::Left => "multiplies Shuster/JPL (i*j = -k)".to_owned(),
+        }),
+        only(&left.constructor).map(|order| format!("takes {} in its constructor", letters(order))),
+        only(&left.array).map(|order| format!("stores and prints {}", letters(order))),
+        only(&left.rotate).map(|form| format!("rotates a column vector by {}", symbol(form))),
+        only(&left.matrix).map(|form| matrix(form, only(&left.rotate))),
+        only(&left.first_to_act).map(|side| {
+            let operand = match side {
+                Side::Left => "left operand a",
+                Side::Right => "right operand b",
+            };
+            format!("lets the {operand} of a*b act first")
+        }),
+        only(&left.direction).map(|direction| {
+            let (from, to) = match direction {
+                Direction::BodyToWorld => ("body", "world"),
+                Direction::WorldToBody => ("world", "body"),
+            };
+            format!("uses quaternions that take {from} coordinates to {to} coordinates")
+        }),
+        only(&left.perturbation).map(|axes| {
+            let axes = match axes {
+                Perturbation::Local => "body",
+                Perturbation::Global => "world",
+            };
+            format!("adds small turns on the axes of the {axes}")
+        }),
+    ];
+    let clauses: Vec<String> = clauses.into_iter().flatten().collect();
+    let open: Vec<&str> = [
+        (left.handedness.len(), "the product"),
+        (left.constructor.len(), "the order of the constructor"),
+        (left.array.len(), "the order of the printed numbers"),
+        (left.rotate.len(), "how it rotates a vector"),
+        (left.matrix.len(), "what its matrix is"),
+    ]
+    .into_iter()
+    .filter(|(count, _)| *count > 1)
+    .map(|(_, what)| what)
+    .collect();
+    let mut sentences = Vec::new();
+    if left.handedness.is_empty() {
+        return format!("The observations of {name} contradict each other.");
+    }
+    if !clauses.is_empty() {
+        sentences.push(format!("{name} {}.", joined(&clauses, "and")));
+    }
+    if !open.is_empty() {
+        let open: Vec<String> = open.into_iter().map(str::to_owned).collect();
+        sentences.push(format!("Not settled: {}.", joined(&open, "and")));
+    }
+    sentences.join(" ")
+}
+
+fn only<Value: Copy>(values: &[Value]) -> Option<Value> {
+    match values {
+        [value] => Some(*value),
+        _ => None,
+    }
+}
+
+const fn letters(order: ComponentOrder) -> &'static str {
+    match order {
+        ComponentOrder::ScalarFirst => "w x y z",
+        ComponentOrder::ScalarLast => "x y z w",
+    }
+}
+
+const fn symbol(form: CosineMatrix) -> &'static str {
+    match form {
+        CosineMatrix::Hamilton => "R(q)",
+        CosineMatrix::Shuster => "C(q), the transpose of R(q)",
+    }
+}
+
+/// Printed as it acts, a matrix is for columns; printed as the transpose of that, for rows.
+fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
+    let symbol = match form {
+        CosineMatrix::Hamilton => "R(q)",
+        CosineMatrix::Shuster => "C(q)",
+    };
+    match rotate {
+        None => format!("has {symbol} as the matrix of q"),
+        Some(rotate) if rotate == form => {
+            format!("has {symbol} as the matrix of q, for column vectors")
+        }
+        Some(_) => format!("has {symbol} as the matrix of q, for row vectors"),
+    }
+}
+
+fn joined(parts: &[String], last: &str) -> String {
+    match parts {
+        [] => String::new(),
+        [one] => one.clone(),
+        [before @ .., end] => format!("{} {last} {end}", before.join(", ")),
+    }
+}

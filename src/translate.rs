@@ -1,0 +1,236 @@
+//! From one end of a translation to the other.
+
+use crate::attitude::{Attitude, Declared, turn};
+use crate::axis_mapping::{AxesChange, AxisMapping};
+use crate::convention::{ComponentOrder, ComponentSign};
+use crate::endpoint::{Endpoint, Meaning};
+use crate::library::{Code, family, first_to_act, libraries};
+use crate::messages::Fault;
+use crate::problem::{Field, Problem, Span};
+use crate::quaternion::TaggedQuaternion;
+use crate::report::{
+    AxesReport, Change, Components, Forgotten, ForgottenStep, MappedAxes, PrintedMatrix,
+    ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
+};
+use crate::request::TranslateRequest;
+use crate::rotation::Rotation;
+
+pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, Vec<Problem>> {
+    let ends = (
+        meaning(&request.from, Field::From),
+        meaning(&request.to, Field::To),
+    );
+    let world = axes(&request.world_axes, Field::WorldAxes);
+    let body = axes(&request.body_axes, Field::BodyAxes);
+    let (from, to) = match ends {
+        (Ok(from), Ok(to)) => (from, to),
+        (from, to) => {
+            let found = [from.err(), to.err(), world.err(), body.err()];
+            return Err(found.into_iter().flatten().collect());
+        }
+    };
+    let declared = Declared {
+        convention: from.numbers(),
+        matrix: from.matrix_convention(),
+    };
+    let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
+    let (attitude, world, body) = match (attitude, world, body) {
+        (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
+        (attitude, world, body) => {
+            let found = [attitude.err(), world.err(), body.err()];
+            return Err(found.into_iter().flatten().collect());
+        }
+    };
+    let change = AxesChange { world, body };
+    let changes_axes = change != AxesChange::NONE;
+    // Where the axes stay, the numbers are those that were typed, not rounded again.
+    let (numbers, rotation) = if changes_axes {
+        let rotation = change.apply(&attitude.rotation).map_err(|_| {
+            let span = Span::of_trimmed(&request.body_axes);
+            vec![Fault::one_sided_reflection(span).in_field(Field::BodyAxes)]
+        })?;
+        (rotation.to_tagged(to.numbers()), rotation)
+    } else {
+        (
+            attitude.tagged.to_convention(to.numbers()),
+            attitude.rotation,
+        )
+    };
+
+    let mut forgotten = forgotten_steps(&from, &to, &numbers, &rotation);
+    if changes_axes {
+        forgotten.push(Forgotten {
+            step: ForgottenStep::Axes,
+            angle_deg: angle_deg(&rotation, &attitude.rotation),
+        });
+    }
+    let typed = attitude.tagged.to_convention(from.numbers());
+    Ok(TranslateReport {
+        quaternion: attitude.as_read(),
+        change: change_between(&from, &to),
+        forgotten,
+        product: product_order(&from, &to),
+        axes: changes_axes.then(|| AxesReport {
+            world: mapped(world),
+            body: mapped(body),
+        }),
+        turn: turn(&attitude.rotation),
+        proposed: proposed(&request.quaternion, &from),
+        notes: attitude.notes(Field::Quaternion),
+        from: end(&from, &typed, &attitude.rotation),
+        to: end(&to, &numbers, &rotation),
+    })
+}
+
+fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {
+    Meaning::of(endpoint).ok_or_else(|| {
+        let id = match endpoint {
+            Endpoint::Library(endpoint) => endpoint.id.as_str(),
+            Endpoint::Convention(_) => "",
+        };
+        Fault::unknown_library(Span::of_trimmed(id), id).in_field(field)
+    })
+}
+
+fn axes(text: &str, field: Field) -> Result<AxisMapping, Problem> {
+    text.parse::<AxisMapping>().map_err(|unknown| {
+        Fault::unknown_axes(Span::of_trimmed(text), unknown.message).in_field(field)
+    })
+}
+
+fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> TranslatedEnd {
+    let components = Components::of(&numbers.components, meaning.order);
+    let library = meaning.library;
+    let code = library.map(|library| &library.code);
+    TranslatedEnd {
+        library: library.map(|library| library.id.clone()),
+        convention: meaning.numbers(),
+        array: numbers.to_array().map(plain),
+        order: meaning.order,
+        constructor_order: library.map_or(Some(meaning.order), |library| library.constructor),
+        sign: meaning.numbers().component_sign(),
+        handedness: meaning.handedness,
+        action: meaning.action,
+        direction: meaning.direction,
+        family: meaning
+            .handedness
+            .map(|handedness| family(handedness, meaning.action)),
+        first_to_act: meaning
+            .handedness
+            .map(|handedness| first_to_act(handedness, meaning.action)),
+        matrix: meaning.matrix.map(|printed| PrintedMatrix {
+            rows: rows3(&rotation.matrix(meaning.direction_of(printed.form))),
+            form: printed.form,
+            vectors: printed.vectors,
+        }),
+        construct: code.and_then(|code| construct(code, &components)),
+        usual: code.and_then(|code| code.rotate.clone().or_else(|| code.matrix.clone())),
+        assumed: meaning.assumed.clone(),
+        components,
+    }
+}
+
+/// The line of code that makes a quaternion, each number as the shortest text that reads back.
+fn construct(code: &Code, components: &Components) -> Option<String> {
+    let numbers = [
+        ("{w}", components.w),
+        ("{x}", components.x),
+        ("{y}", components.y),
+        ("{z}", components.z),
+    ];
+    let template = code.construct.clone()?;
+    Some(numbers.iter().fold(template, |line, (place, number)| {
+        line.replace(place, &format!("{number:?}"))
+    }))
+}
+
+fn change_between(from: &Meaning, to: &Meaning) -> Change {
+    let reordered = from.order != to.order;
+    let conjugated = from.numbers().component_sign() != to.numbers().component_sign();
+    match (reordered, conjugated) {
+        (false, false) => Change::Copied,
+        (true, false) => Change::Reordered,
+        (false, true) => Change::Conjugated,
+        (true, true) => Change::ReorderedAndConjugated,
+    }
+}
+
+/// What comes of the numbers when one step, or both, is left out.
+fn forgotten_steps(
+    from: &Meaning,
+    to: &Meaning,
+    right: &TaggedQuaternion,
+    rotation: &Rotation,
+) -> Vec<Forgotten> {
+    let not_reordered = |numbers: &TaggedQuaternion| {
+        let mut array = numbers.to_array();
+        match from.order {
+            ComponentOrder::ScalarFirst => array.rotate_right(1),
+            ComponentOrder::ScalarLast => array.rotate_left(1),
+        }
+        TaggedQuaternion::from_array(array, numbers.convention)
+    };
+    let steps: Vec<(ForgottenStep, TaggedQuaternion)> = match change_between(from, to) {
+        Change::Copied => Vec::new(),
+        Change::Reordered => vec![(ForgottenStep::Reordering, not_reordered(right))],
+        Change::Conjugated => vec![(ForgottenStep::Conjugation, right.conjugate())],
+        Change::ReorderedAndConjugated => vec![
+            (
+                ForgottenStep::ReorderingAndConjugation,
+                not_reordered(&right.conjugate()),
+            ),
+            (ForgottenStep::Conjugation, right.conjugate()),
+            (ForgottenStep::Reordering, not_reordered(right)),
+        ],
+    };
+    steps
+        .into_iter()
+        .filter_map(|(step, wrong)| {
+            let wrong = Rotation::from_tagged(&wrong).ok()?;
+            Some(Forgotten {
+                step,
+                angle_deg: angle_deg(rotation, &wrong),
+            })
+        })
+        .collect()
+}
+
+fn angle_deg(right: &Rotation, wrong: &Rotation) -> f64 {
+    plain(right.angle_to_rad(wrong).to_degrees())
+}
+
+/// A conjugation turns a product round, and so does the other hand; both together do not.
+fn product_order(from: &Meaning, to: &Meaning) -> ProductOrder {
+    let (Some(one), Some(other)) = (from.handedness, to.handedness) else {
+        return ProductOrder::NotEstablished;
+    };
+    let sign = |meaning: &Meaning| meaning.numbers().component_sign() == ComponentSign::Canonical;
+    if (one == other) == (sign(from) == sign(to)) {
+        ProductOrder::Same
+    } else {
+        ProductOrder::Reversed
+    }
+}
+
+fn mapped(mapping: AxisMapping) -> MappedAxes {
+    MappedAxes {
+        mapping,
+        text: mapping.to_string(),
+        rows: rows3(&mapping.matrix()),
+        determinant: mapping.determinant(),
+        hand: mapping.hand(),
+    }
+}
+
+/// The library whose call stands in the text: by the longest of the fragments that do.
+fn proposed(text: &str, from: &Meaning) -> Option<String> {
+    let compact = |text: &str| text.split_whitespace().collect::<String>();
+    let text = compact(text);
+    let found = libraries()
+        .iter()
+        .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
+        .filter(|(_, part)| text.contains(&compact(part)))
+        .max_by_key(|(_, part)| part.len())
+        .map(|(library, _)| library.id.clone());
+    found.filter(|id| from.library.is_none_or(|library| library.id != *id))
+}

@@ -304,7 +304,9 @@ fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
     };
     let trimmed = name.trim().to_ascii_lowercase();
     let named = NAMED_AXES.iter().find(|(known, _)| *known == trimmed);
-    let letters = named.map_or(trimmed.to_ascii_uppercase(), |(_, letters)| (*letters).to_owned());
+    let letters = named.map_or(trimmed.to_ascii_uppercase(), |(_, letters)| {
+        (*letters).to_owned()
+    });
     let letters: [char; 3] = letters
         .chars()
         .collect::<Vec<_>>()

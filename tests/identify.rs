@@ -332,6 +332,7 @@ fn the_sentence_says_what_is_settled_and_what_is_not() {
         report.sentence,
         "Quux 3.1 multiplies Shuster/JPL (i*j = -k), takes w x y z in its constructor, stores and \
          prints w x y z, rotates a column vector by R(q) and lets the left operand a of a*b act \
-         first. Not settled: what its matrix is."
+         first. That is not JPL: the product is Shuster's, but the quaternion rotates by R(q). \
+         Not settled: what its matrix is."
     );
 }

@@ -75,6 +75,25 @@ fn nothing_is_claimed_that_was_not_recorded_nor_left_out() {
     });
 }
 
+/// The README counts the records.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_counts_of_the_readme_are_true() {
+    let readme = include_str!("../README.md").replace('\n', " ");
+    let count = |known| {
+        let libraries = libraries().iter();
+        libraries.filter(|library| library.known == known).count()
+    };
+    let sentences = [
+        format!("two of {} libraries", libraries().len()),
+        format!("{} were run", count(Known::Run)),
+        format!("{} were read in their source", count(Known::Read)),
+        format!("{} in their documentation", count(Known::Documented)),
+    ];
+    for sentence in sentences {
+        assert!(readme.contains(&sentence), "{sentence}");
+    }
+}
+
 /// Those that people would look for first.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_people_look_for_is_there() {

@@ -454,3 +454,28 @@ fn every_signed_permutation_is_read_as_it_is_written() {
     }
     assert_eq!(determinants, 0, "half of the 48 change the hand");
 }
+
+/// Every line of code that this core wrote is read back as the same attitude, at both ends.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_line_of_code_is_read_back() {
+    for library in libraries() {
+        let there = between(TEXT, "openvins", &library.id);
+        let line = there.to.construct.expect(&library.id);
+        for from in [&library.id, "openvins"] {
+            // Elsewhere it must say of itself what it is, or be refused.
+            let request = TranslateRequest::new(
+                &line,
+                Endpoint::library(from),
+                Endpoint::library("openvins"),
+            );
+            let Outcome::Translate(back) = answer(request) else {
+                assert_ne!(from, library.id, "{line}");
+                continue;
+            };
+            if from == library.id || back.proposed.as_ref() == Some(&library.id) {
+                let what = format!("{line} at {from}");
+                assert_close(&what, &back.to.array, &[0.1, 0.7, -0.5, 0.5], 1e-15);
+            }
+        }
+    }
+}

@@ -132,12 +132,15 @@ test("a quarter turn about z, from the numbers of a JPL filter", () => {
   assert.deepEqual(outcome.hamilton.image, [0, 1, 0]);
 });
 
-test("the example of the README runs as it is printed", async () => {
+test("the examples of the README run as they are printed", async () => {
   const readme = readFileSync(join(root, "README.md"), "utf8");
-  const [, example] = readme.match(/```js\n(.*?)```/s);
-  const file = join(project, "example.mjs");
-  writeFileSync(file, example);
-  execFileSync(process.execPath, [file], { cwd: project });
+  const examples = [...readme.matchAll(/```js\n(.*?)```/gs)];
+  assert.equal(examples.length, 2);
+  for (const [, example] of examples) {
+    const file = join(project, "example.mjs");
+    writeFileSync(file, example);
+    execFileSync(process.execPath, [file], { cwd: project });
+  }
 });
 
 test("from a JPL filter to SciPy: the scalar moves and nothing is conjugated", () => {

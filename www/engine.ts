@@ -2,6 +2,8 @@
 import init, {
   analyze as analyzeInCore,
   type Convention,
+  type Library,
+  librariesJson,
   type Outcome,
   presets,
   type Request,
@@ -20,6 +22,8 @@ export interface Failure {
 export interface Engine {
   hamilton: Convention;
   jpl: Convention;
+  /** What libraries do, in the order of the table. */
+  libraries: readonly Library[];
   /** The answer to a request. It never throws. */
   analyze: (request: Request) => Outcome | Failure;
 }
@@ -27,8 +31,16 @@ export interface Engine {
 export async function loadEngine(): Promise<Engine> {
   await init({ module_or_path: wasmUrl });
   const { hamilton, jpl } = presets();
-  return { hamilton, jpl, analyze };
+  return { hamilton, jpl, libraries: readLibraries(), analyze };
 }
+
+/** Every object inherits a `constructor`: a record without one must say so itself. */
+function readLibraries(): readonly Library[] {
+  const records: Library[] = JSON.parse(librariesJson());
+  return records.map((record) => ({ ...noConstructor, ...record }));
+}
+
+const noConstructor = { constructor: undefined };
 
 function analyze(request: Request): Outcome | Failure {
   try {

@@ -1,7 +1,21 @@
 // The address is the state: everything typed and chosen, in the fragment.
-import type { Convention, EulerAxes, EulerSequence, MatrixConvention } from "./engine.ts";
+import { axes, axisValues, endFromText, endToText, type IsLibrary } from "./address_ends.ts";
+import { mostObservations, probeFromText, probeKinds, probeToText } from "./address_probes.ts";
+import type {
+  Convention,
+  Endpoint,
+  EulerAxes,
+  EulerSequence,
+  Language,
+  MatrixConvention,
+  Probe,
+  ProbeKind,
+} from "./engine.ts";
 
-export type View = "read" | "compose";
+export { type Axis, axes, axisValues } from "./address_ends.ts";
+
+export const views = ["read", "compose", "translate", "identify", "libraries"] as const;
+export type View = (typeof views)[number];
 export type Preset = "hamilton" | "jpl";
 /** Decimals shown; a copy always has all of them. */
 export type Digits = "4" | "6" | "all";
@@ -21,9 +35,33 @@ export interface PageState {
   p: string;
   q: string;
   vector: string;
+  /** The quaternion of the Translate view. */
+  translated: string;
+  /** The ends of the translation. */
+  from: Endpoint;
+  to: Endpoint;
+  /** The change of axes on the way; empty where they stay. */
+  worldAxes: string;
+  bodyAxes: string;
+  /** What a library printed. */
+  observations: readonly Probe[];
+  /** What the observed library is called. */
+  libraryName: string;
+  /** The language of the code of a probe. */
+  language: Language;
+  /** The kinds of probes that cannot be run. */
+  unavailable: readonly ProbeKind[];
+  /** What the table of libraries is searched for. */
+  find: string;
+  /** The id of the opened record of the table; empty where none is open. */
+  library: string;
 }
 
-/** The page opens on the example of the ME 495 lecture: 45° about z, and the point (1, 1, 0)/√2. */
+/**
+ * The page opens on the example of the ME 495 lecture: 45° about z, and the point (1, 1, 0)/√2.
+ * Translate opens on the log of a filter, and Identify on what DirectXMath prints, which has JPL's
+ * product and is not JPL.
+ */
 export const opening: PageState = {
   view: "read",
   preset: "hamilton",
@@ -35,19 +73,21 @@ export const opening: PageState = {
   p: "cos(pi/8) + sin(pi/8) k",
   q: "1/√2 + 1/√2 i",
   vector: "1/√2, 1/√2, 0",
+  translated: "0.1 -0.2 0.4 0.888819441731559",
+  from: { kind: "library", id: "openvins" },
+  to: { kind: "library", id: "ceres" },
+  worldAxes: "",
+  bodyAxes: "",
+  observations: [
+    { probe: "product", a: "1 0 0 0", b: "0 1 0 0", printed: "0 0 -1 0" },
+    { probe: "rotate", quaternion: "0.5 0.5 0.5 0.5", vector: "1 2 3", printed: "3 1 2" },
+  ],
+  libraryName: "",
+  language: "python",
+  unavailable: [],
+  find: "",
+  library: "",
 };
-
-/** The values of each axis, as the fragment and the core name them. */
-export const axisValues = {
-  order: ["scalar-first", "scalar-last"],
-  handedness: ["right", "left"],
-  function: ["passive", "active"],
-  direction: ["body-to-world", "world-to-body"],
-  perturbation: ["local", "global"],
-} as const satisfies { [Axis in keyof Convention]: readonly Convention[Axis][] };
-
-export type Axis = keyof typeof axisValues;
-export const axes = Object.keys(axisValues) as Axis[];
 
 /** The twelve sequences: three different axes, then those that end as they begin. */
 export const eulerAxes = [
@@ -60,13 +100,34 @@ export function sequenceName({ axes: letters, frame }: EulerSequence): string {
   return frame === "intrinsic" ? letters.toUpperCase() : letters;
 }
 
-const texts = ["quaternion", "p", "q", "vector"] as const;
+/** The texts and their names in the fragment. */
+const texts = {
+  quaternion: "quaternion",
+  p: "p",
+  q: "q",
+  vector: "vector",
+  translated: "translated",
+  worldAxes: "world",
+  bodyAxes: "body",
+  libraryName: "name",
+  find: "find",
+  library: "library",
+} as const satisfies Partial<Record<keyof PageState, string>>;
+type Text = keyof typeof texts;
+
+const languages: Language[] = [
+  ...(["python", "cpp", "c", "rust", "javascript"] as const),
+  ...(["java", "csharp", "swift", "matlab", "message"] as const),
+];
+
+/** Marks that an address may hold as they are. */
+const plainMarks = /%(?:3A|3B|2C|7E)/g;
 
 /** The fragment of a state, without `#`. What is as at the opening is left out. */
 export function toFragment(state: PageState): string {
   const parameters = new URLSearchParams();
-  for (const name of texts) {
-    if (state[name] !== opening[name]) parameters.set(name, state[name]);
+  for (const [name, parameter] of Object.entries(texts) as [Text, string][]) {
+    if (state[name] !== opening[name]) parameters.set(parameter, state[name]);
   }
   if (state.preset !== opening.preset) parameters.set("as", state.preset);
   for (const axis of axes) {
@@ -80,17 +141,34 @@ export function toFragment(state: PageState): string {
     parameters.set("euler", sequenceName(euler));
   }
   if (state.digits !== opening.digits) parameters.set("digits", state.digits);
-  const query = parameters.toString();
+  for (const end of ["from", "to"] as const) {
+    const text = endToText(state[end]);
+    if (text !== endToText(opening[end])) parameters.set(end, text);
+  }
+  for (const probe of probesToTexts(state.observations)) parameters.append("probe", probe);
+  if (state.language !== opening.language) parameters.set("language", state.language);
+  if (state.unavailable.length > 0) parameters.set("unavailable", state.unavailable.join(","));
+  const query = parameters.toString().replace(plainMarks, decodeURIComponent);
   return query === "" ? state.view : `${state.view}?${query}`;
 }
 
+/** The observations as parameters; none where they are those of the opening, an empty one for none. */
+function probesToTexts(observations: readonly Probe[]): string[] {
+  const written = observations.map(probeToText);
+  const first = opening.observations.map(probeToText);
+  const isOpening =
+    written.length === first.length && written.every((text, at) => text === first[at]);
+  if (isOpening) return [];
+  return written.length === 0 ? [""] : written;
+}
+
 /** The state of a fragment, with or without `#`; what it does not say is as at the opening. */
-export function fromFragment(fragment: string): PageState {
+export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true): PageState {
   const [view = "", query = ""] = splitOnce(fragment.replace(/^#/, ""), "?");
   const parameters = new URLSearchParams(query);
   const state: PageState = {
     ...opening,
-    view: oneOf(["read", "compose"], view) ?? opening.view,
+    view: oneOf(views, view) ?? opening.view,
     preset: oneOf(["hamilton", "jpl"], parameters.get("as")) ?? opening.preset,
     axes: axesFrom(parameters),
     matrix: {
@@ -99,9 +177,26 @@ export function fromFragment(fragment: string): PageState {
     },
     euler: sequenceFrom(parameters.get("euler")) ?? opening.euler,
     digits: oneOf(["4", "6", "all"], parameters.get("digits")) ?? opening.digits,
+    from: endFromText(parameters.get("from"), isLibrary) ?? opening.from,
+    to: endFromText(parameters.get("to"), isLibrary) ?? opening.to,
+    observations: probesFrom(parameters),
+    language: oneOf(languages, parameters.get("language")) ?? opening.language,
+    unavailable: probeKinds.filter((kind) =>
+      parameters.get("unavailable")?.split(",").includes(kind),
+    ),
   };
-  for (const name of texts) state[name] = parameters.get(name) ?? opening[name];
+  for (const [name, parameter] of Object.entries(texts) as [Text, string][]) {
+    state[name] = parameters.get(parameter) ?? opening[name];
+  }
+  if (!isLibrary(state.library)) state.library = opening.library;
   return state;
+}
+
+function probesFrom(parameters: URLSearchParams): readonly Probe[] {
+  const written = parameters.getAll("probe").slice(0, mostObservations);
+  const read = written.map(probeFromText).filter((probe) => probe !== undefined);
+  const isEmptied = written.length === 1 && written[0] === "";
+  return read.length > 0 || isEmptied ? read : opening.observations;
 }
 
 function axesFrom(parameters: URLSearchParams): Partial<Convention> {

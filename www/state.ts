@@ -1,16 +1,7 @@
 // The one mutable value of the page, and what follows from it.
 import { computed, signal } from "@preact/signals";
 import { fromFragment, opening, type PageState } from "./address.ts";
-import type {
-  ComposeReport,
-  Convention,
-  Engine,
-  Field,
-  Outcome,
-  Problem,
-  ReadReport,
-  Request,
-} from "./engine.ts";
+import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
 export type Freshness = "current" | "old" | "opening";
@@ -23,38 +14,36 @@ export interface Shown<Report> {
 export type Store = ReturnType<typeof createStore>;
 
 export function createStore(engine: Engine, fragment: string) {
-  const state = signal<PageState>(fromFragment(fragment));
+  const known = new Set(engine.libraries.map(({ id }) => id));
+  const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
+  const state = signal<PageState>(stateOf(fragment));
 
-  const outcome = computed(() => engine.analyze(requestOf(state.value, engine)));
+  const outcome = computed(() => answer(state.value, engine));
 
   const problems = computed<Problem[]>(() =>
-    outcome.value.status === "problems" ? outcome.value.problems : [],
+    outcome.value?.status === "problems" ? outcome.value.problems : [],
   );
 
   const failure = computed(() =>
-    outcome.value.status === "failure" ? outcome.value.message : undefined,
+    outcome.value?.status === "failure" ? outcome.value.message : undefined,
   );
 
   // The last good result of each view stays while the text has a problem; before the first one it
   // is the opening example.
-  const openingOutcome = (view: PageState["view"]) =>
-    engine.analyze(requestOf({ ...opening, view }, engine));
-  const read = lastGood(
-    () => outcome.value,
-    () => openingOutcome("read"),
-    isRead,
-  );
-  const compose = lastGood(
-    () => outcome.value,
-    () => openingOutcome("compose"),
-    isCompose,
-  );
+  const lastOf = <Status extends Good["status"]>(status: Status) =>
+    lastGood(
+      () => outcome.value,
+      () => answer({ ...opening, view: status }, engine),
+      (outcome): outcome is Good & { status: Status } => outcome?.status === status,
+    );
 
   return {
     state,
     engine,
-    read,
-    compose,
+    read: lastOf("read"),
+    compose: lastOf("compose"),
+    translate: lastOf("translate"),
+    identify: lastOf("identify"),
     failure,
     problems,
     problemOf: (field: Field) => problems.value.find((problem) => problem.field === field),
@@ -62,17 +51,44 @@ export function createStore(engine: Engine, fragment: string) {
       state.value = { ...state.value, ...change };
     },
     open: (fragment: string) => {
-      state.value = fromFragment(fragment);
+      state.value = stateOf(fragment);
     },
   };
 }
 
-function requestOf(state: PageState, engine: Engine): Request {
+type Answer = ReturnType<Engine["analyze"]> | undefined;
+
+/** What the core answers to a state; nothing where its view asks nothing. */
+function answer(state: PageState, engine: Engine): Answer {
+  const request = requestOf(state, engine);
+  return request && engine.analyze(request);
+}
+
+function requestOf(state: PageState, engine: Engine): Request | undefined {
   const { view, quaternion, p, q, vector, matrix, euler } = state;
   const convention = declaredConvention(state, engine);
-  return view === "read"
-    ? { view, quaternion, vector, convention, matrix, euler }
-    : { view, p, q, vector, convention, matrix };
+  switch (view) {
+    case "read":
+      return { view, quaternion, vector, convention, matrix, euler };
+    case "compose":
+      return { view, p, q, vector, convention, matrix };
+    case "translate": {
+      const { translated, from, to, worldAxes, bodyAxes } = state;
+      return { view, quaternion: translated, from, to, worldAxes, bodyAxes };
+    }
+    case "identify": {
+      const { observations, libraryName, language, unavailable } = state;
+      return {
+        view,
+        observations: [...observations],
+        name: libraryName,
+        language,
+        unavailable: [...unavailable],
+      };
+    }
+    case "libraries":
+      return undefined;
+  }
 }
 
 /** What four typed numbers are declared to mean. */
@@ -80,23 +96,17 @@ export function declaredConvention(state: PageState, engine: Engine): Convention
   return { ...engine[state.preset], ...state.axes };
 }
 
-type Answer = ReturnType<Engine["analyze"]>;
-type ReadOutcome = ReadReport & { status: "read" };
-type ComposeOutcome = ComposeReport & { status: "compose" };
-
-const isRead = (outcome: Answer): outcome is ReadOutcome & Outcome => outcome.status === "read";
-const isCompose = (outcome: Answer): outcome is ComposeOutcome & Outcome =>
-  outcome.status === "compose";
+type Good = Extract<Outcome, { status: "read" | "compose" | "translate" | "identify" }>;
 
 /** The newest outcome of one kind, and whether it belongs to the texts as they are now. */
-function lastGood<Good extends Answer>(
+function lastGood<Kind extends Good>(
   now: () => Answer,
   first: () => Answer,
-  isGood: (outcome: Answer) => outcome is Good,
+  isGood: (outcome: Answer) => outcome is Kind,
 ) {
-  let last: Good | undefined;
+  let last: Kind | undefined;
   let freshness: Freshness = "old";
-  return computed<Shown<Good> | undefined>(() => {
+  return computed<Shown<Kind> | undefined>(() => {
     const outcome = now();
     if (isGood(outcome)) {
       last = outcome;

@@ -1,7 +1,17 @@
 // The pure functions of the page: the address and the number formats.
 import { expect, test } from "@playwright/test";
 import { fromFragment, opening, type PageState, toFragment } from "../../www/address.ts";
+import { axisPresets, axisPresetWords, inverseAxes } from "../../www/axis_texts.ts";
+import type { AxisMapping } from "../../www/engine.ts";
 import { alignedRows, exactArray, shown, shownArray, shownAxis } from "../../www/format.ts";
+
+const jpl = {
+  order: "scalar-last",
+  handedness: "left",
+  function: "passive",
+  direction: "world-to-body",
+  perturbation: "local",
+} as const;
 
 test("every state reads back from its fragment", () => {
   const states: PageState[] = [
@@ -13,12 +23,75 @@ test("every state reads back from its fragment", () => {
       matrix: { function: "active", direction: "world-to-body" },
       euler: { axes: "zxz", frame: "extrinsic" },
     },
+    {
+      ...opening,
+      view: "translate",
+      translated: "1; 2, 3 ~ 4",
+      from: { kind: "library", id: "eigen", order: "scalar-first", direction: "world-to-body" },
+      to: { kind: "convention", convention: { ...jpl, perturbation: "global" } },
+      worldAxes: "NED to ENU",
+      bodyAxes: "x -y -z",
+    },
+    { ...opening, view: "translate", from: { kind: "convention", convention: jpl } },
+    {
+      ...opening,
+      view: "identify",
+      observations: [
+        { probe: "components", quaternion: "1;2~3 4", printed: "~0 & =" },
+        { probe: "matrix", quaternion: "i", printed: "[1;\n2]", layout: "unknown" },
+        { probe: "from-matrix", matrix: "1 0 0", printed: "", layout: "rows" },
+        { probe: "perturb", quaternion: "1", rotationVector: "0 0 0.1", printed: "🙂" },
+        { probe: "quarter-turn", printed: "+" },
+      ],
+      libraryName: "X % +",
+      language: "csharp",
+      unavailable: ["rotate", "perturb"],
+    },
+    { ...opening, view: "identify", observations: [] },
+    { ...opening, view: "libraries", find: "jpl & co", library: "openvins" },
     { ...opening, preset: "jpl", quaternion: "x: 1\ny: 2 & = # % +\n🙂", vector: "½" },
   ];
   for (const state of states) {
     expect(fromFragment(`#${toFragment(state)}`)).toEqual(state);
   }
   expect(toFragment(opening)).toBe("read");
+});
+
+test("a fragment of the new views can be read by people", () => {
+  const translation: PageState = {
+    ...opening,
+    view: "translate",
+    from: { kind: "library", id: "eigen", order: "scalar-first" },
+    to: { kind: "convention", convention: { ...jpl, function: "active" } },
+  };
+  expect(toFragment(translation)).toBe(
+    "translate?from=eigen~scalar-first&to=:scalar-last,left,active,world-to-body,local",
+  );
+  expect(toFragment({ ...opening, view: "identify", observations: [] })).toBe("identify?probe=");
+});
+
+test("an address with ten thousand observations is cut, and a library that is none is not opened", () => {
+  const probes = Array.from({ length: 10_000 }, () => "probe=quarter-turn;1 0 0 0").join("&");
+  expect(fromFragment(`#identify?${probes}`).observations).toHaveLength(16);
+  const state = fromFragment("#translate?from=nowhere&to=:1,2&library=nowhere", () => false);
+  expect(state).toEqual({ ...opening, view: "translate" });
+});
+
+test("the text of a change of axes is turned back", () => {
+  // New x is old z, new y is the opposite of old x, new z is old y.
+  const mapping: AxisMapping = {
+    axes: [
+      { axis: "z", sense: "along" },
+      { axis: "x", sense: "against" },
+      { axis: "y", sense: "along" },
+    ],
+  };
+  expect(inverseAxes("z -x y", mapping)).toBe("-y z x");
+  expect(inverseAxes("ROS to OpenCV", mapping)).toBe("OpenCV to ROS");
+  expect(inverseAxes("NED -> ENU", mapping)).toBe("ENU to NED");
+  expect(inverseAxes("", undefined)).toBe("");
+  expect(inverseAxes("oops", undefined)).toBe("oops");
+  expect(Object.keys(axisPresetWords)).toEqual([...axisPresets]);
 });
 
 test("a fragment that says nonsense gives the opening state", () => {
@@ -28,6 +101,7 @@ test("a fragment that says nonsense gives the opening state", () => {
     "#nonsense?as=neither&digits=9",
     "#read?order=middle&handedness=both&matrix=x&rows=y&euler=zYx",
     "#read?%E0%A4%A",
+    "#read?from=:jpl,left&to=:&probe=nothing;1&probe=%E0%A4%A&language=latin&unavailable=all,__proto__",
   ]) {
     expect(fromFragment(fragment)).toEqual(opening);
   }

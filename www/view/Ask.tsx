@@ -7,17 +7,34 @@ import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { MoreAxes } from "./Axes.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
+type TextName = "quaternion" | "p" | "q" | "vector" | "translated" | "worldAxes" | "bodyAxes";
+
+/** The texts that a view is about. */
+const heroes: readonly Field[] = ["quaternion", "p", "q"];
+
 /** A field for text in any form, with the place of a problem marked in the text itself. */
-export function TextField({ store, field }: { store: Store; field: Field }) {
+export function TextField({
+  store,
+  field,
+  name = field as TextName,
+  label = field === "vector" ? "vector" : "quaternion",
+}: {
+  store: Store;
+  /** As the core names it in a problem. */
+  field: Field;
+  /** As the state names it. */
+  name?: TextName;
+  label?: string;
+}) {
   const id = useId();
   const mirror = useRef<HTMLPreElement>(null);
-  const text = store.state.value[field];
+  const text = store.state.value[name];
   const problem = store.problemOf(field);
   return (
-    <div class={`field ${field === "vector" ? "field-plain" : "field-hero"}`}>
+    <div class={`field ${heroes.includes(field) ? "field-hero" : "field-plain"}`}>
       <div class="field-box">
         <label for={id} class="field-label">
-          <span class="visually-hidden">{field === "vector" ? "vector" : "quaternion"}</span>
+          <span class="visually-hidden">{label}</span>
           <var>{symbolOf[field]}</var>
         </label>
         <div class="field-text">
@@ -27,7 +44,7 @@ export function TextField({ store, field }: { store: Store; field: Field }) {
           </pre>
           <textarea
             id={id}
-            name={field}
+            name={name}
             rows={1}
             spellcheck={false}
             autocomplete="off"
@@ -35,7 +52,7 @@ export function TextField({ store, field }: { store: Store; field: Field }) {
             value={text}
             aria-invalid={problem !== undefined}
             aria-describedby={problem && problemId(field)}
-            onInput={(event) => store.set({ [field]: event.currentTarget.value })}
+            onInput={(event) => store.set({ [name]: event.currentTarget.value })}
             onScroll={(event) => {
               if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
             }}
@@ -81,7 +98,7 @@ const problemId = (field: Field) => `problem-${field}`;
  * What is said about the texts: how they were read, or what stands in the way. One place for both,
  * so that nothing moves while a text is typed.
  */
-function AskStatus({
+export function AskStatus({
   store,
   freshness,
   children,
@@ -121,7 +138,7 @@ function standsBelow(freshness: Freshness | undefined): string {
 }
 
 /** The text with the place of the problem marked; a place of no width takes what stands there. */
-function Marked({ text, problem }: { text: string; problem: Problem }) {
+export function Marked({ text, problem }: { text: string; problem: Problem }) {
   const { start, end } = problem.span;
   return (
     <>
@@ -172,7 +189,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
 const digitChoices: Digits[] = ["4", "6", "all"];
 
 /** Chooses how many decimals are shown. */
-function DigitsSwitch({ store }: { store: Store }) {
+export function DigitsSwitch({ store }: { store: Store }) {
   const { digits: chosen } = store.state.value;
   return (
     <fieldset class="digits">

@@ -1,15 +1,22 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
-import { toFragment, type View } from "../address.ts";
+import type { VNode } from "preact";
+import { type Digits, toFragment, type View } from "../address.ts";
 import { shown, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
+import { Identify, spokenIdentity } from "./Identify.tsx";
+import { Libraries, spokenLibraries } from "./Libraries.tsx";
 import { Read } from "./Read.tsx";
+import { spokenTranslation, Translate } from "./Translate.tsx";
 import { namesInOrder } from "./Value.tsx";
 import { nameOf, symbolOf } from "./words.ts";
 
-const views: { view: View; name: string }[] = [
-  { view: "read", name: "Read" },
-  { view: "compose", name: "Compose" },
+const views: { view: View; name: string; Shown: (props: { store: Store }) => VNode }[] = [
+  { view: "read", name: "Read", Shown: Read },
+  { view: "compose", name: "Compose", Shown: Compose },
+  { view: "translate", name: "Translate", Shown: Translate },
+  { view: "identify", name: "Identify", Shown: Identify },
+  { view: "libraries", name: "Libraries", Shown: Libraries },
 ];
 
 export function Page({ store }: { store: Store }) {
@@ -40,7 +47,7 @@ export function Page({ store }: { store: Store }) {
             reload the page.
           </p>
         )}
-        {state.view === "read" ? <Read store={store} /> : <Compose store={store} />}
+        {views.map(({ view, Shown }) => view === state.view && <Shown key={view} store={store} />)}
       </main>
       <footer class="colophon">
         <p>
@@ -63,16 +70,32 @@ function spoken(store: Store): string {
       `Problem in ${symbolOf[field]}: ${message}. Expected ${expected}. Try ${hint}.`,
   );
   if (problems.length > 0) return problems.join(" ");
-  if (view === "compose") {
-    const product = store.compose.value?.report.declared;
-    if (product === undefined) return "";
-    const { convention, quaternion } = product;
-    const numbers = namesInOrder(convention).map(
-      (name) => `${name} ${shown(quaternion[name], digits)}`,
-    );
-    const name = nameOf(convention, store.engine) ?? "your convention";
-    return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
+  switch (view) {
+    case "read":
+      return spokenTurn(store, digits);
+    case "compose":
+      return spokenProduct(store, digits);
+    case "translate":
+      return spokenTranslation(store);
+    case "identify":
+      return spokenIdentity(store);
+    case "libraries":
+      return spokenLibraries(store);
   }
+}
+
+function spokenProduct(store: Store, digits: Digits): string {
+  const product = store.compose.value?.report.declared;
+  if (product === undefined) return "";
+  const { convention, quaternion } = product;
+  const numbers = namesInOrder(convention).map(
+    (name) => `${name} ${shown(quaternion[name], digits)}`,
+  );
+  const name = nameOf(convention, store.engine) ?? "your convention";
+  return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
+}
+
+function spokenTurn(store: Store, digits: Digits): string {
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";
   if (turn.axis === undefined) return "Result: no turn.";

@@ -1,12 +1,39 @@
 // The names of the texts and of the two presets; the same words everywhere on the page.
 import { type Axis, axes, type Preset } from "../address.ts";
-import type { Convention, Direction, Engine, Field, Handedness } from "../engine.ts";
+import type {
+  ComponentOrder,
+  Convention,
+  Direction,
+  Engine,
+  Field,
+  Handedness,
+} from "../engine.ts";
 
 /** What a text is called in formulas. */
-export const symbolOf: Record<Field, string> = { quaternion: "q", p: "p", q: "q", vector: "x" };
+export const symbolOf: Record<Field, string> = {
+  quaternion: "q",
+  p: "p",
+  q: "q",
+  vector: "x",
+  from: "from",
+  to: "to",
+  "world-axes": "world axes",
+  "body-axes": "body axes",
+  a: "a",
+  b: "b",
+  matrix: "M",
+  "rotation-vector": "φ",
+  printed: "printed",
+};
 
 /** The preset that has a product. */
 export const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
+
+/** The four numbers in an order. */
+export const lettersOf: Record<ComponentOrder, string> = {
+  "scalar-first": "w x y z",
+  "scalar-last": "x y z w",
+};
 
 const arrows: Record<Direction, string> = {
   "body-to-world": "body → world",

@@ -132,8 +132,8 @@ impl Behaviour {
     /// Whether a record says nothing else.
     #[must_use]
     pub fn is_of(&self, library: &Library) -> bool {
-        agrees(library.constructor, self.constructor)
-            && agrees(library.array, self.array)
+        agrees(library.constructor_order, self.constructor)
+            && agrees(library.array_order, self.array)
             && agrees(library.handedness, self.handedness)
             && agrees(library.rotate, self.rotate)
             && agrees(library.matrix, self.matrix)
@@ -145,8 +145,8 @@ impl Library {
     #[must_use]
     pub fn unestablished(&self) -> Vec<BehaviourAxis> {
         let choices = [
-            (BehaviourAxis::Constructor, self.constructor.is_none()),
-            (BehaviourAxis::Array, self.array.is_none()),
+            (BehaviourAxis::Constructor, self.constructor_order.is_none()),
+            (BehaviourAxis::Array, self.array_order.is_none()),
             (BehaviourAxis::Handedness, self.handedness.is_none()),
             (BehaviourAxis::Rotate, self.rotate.is_none()),
             (BehaviourAxis::Matrix, self.matrix.is_none()),

@@ -69,9 +69,9 @@ pub struct Library {
     /// How all this is known.
     pub known: Known,
     /// The order of its array: in memory, in messages, as printed.
-    pub array: Option<ComponentOrder>,
+    pub array_order: Option<ComponentOrder>,
     /// The order in which its constructor takes four numbers.
-    pub constructor: Option<ComponentOrder>,
+    pub constructor_order: Option<ComponentOrder>,
     /// Its product: right is Hamilton's, left is Shuster's.
     pub handedness: Option<Handedness>,
     /// What its call that rotates a vector multiplies the vector with: `R(q)` or `C(q)`.
@@ -379,7 +379,7 @@ impl Library {
     /// The order in which its numbers are usually met: that of the array, or else of the constructor.
     #[must_use]
     pub fn order(&self) -> Option<ComponentOrder> {
-        self.array.or(self.constructor)
+        self.array_order.or(self.constructor_order)
     }
 
     /// What the quaternion multiplies a column vector with when it acts: by the call that rotates, or

@@ -23,8 +23,8 @@ pub struct TranslateReport {
     pub to: TranslatedEnd,
     /// What is done to the four numbers on the way.
     pub change: Change,
-    /// What goes wrong if a needed step is forgotten; empty where nothing is to be done.
-    pub forgotten: Vec<Forgotten>,
+    /// What goes wrong if a needed step is forgotten, or one is done that is not needed.
+    pub mistakes: Vec<Mistake>,
     /// How `a * b` of the first end is written at the second.
     pub product: ProductOrder,
     /// The change of axes, where one was asked for.
@@ -105,28 +105,30 @@ pub enum Change {
     ReorderedAndConjugated,
 }
 
-/// A step of a translation that may be forgotten.
+/// What may go wrong with a translation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
-pub enum ForgottenStep {
-    /// To move the scalar.
-    Reordering,
-    /// To change the sign of the vector part.
-    Conjugation,
-    /// Both of these: the four numbers are copied as they are.
-    ReorderingAndConjugation,
-    /// To change the axes.
-    Axes,
+pub enum MistakeKind {
+    /// The four numbers are copied as they are, though they are to be reordered and conjugated.
+    Copied,
+    /// The scalar is left where it stood.
+    NotReordered,
+    /// The sign of the vector part is left as it was.
+    NotConjugated,
+    /// The sign of the vector part is changed, though it is to stay: the usual mistake with JPL.
+    ConjugatedNeedlessly,
+    /// The axes are left as they were.
+    AxesKept,
 }
 
-/// What goes wrong.
+/// What goes wrong, and by how much.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
-pub struct Forgotten {
-    /// What was forgotten.
-    pub step: ForgottenStep,
+pub struct Mistake {
+    /// What was done or left out.
+    pub kind: MistakeKind,
     /// How far the attitude is then from the right one, from 0 to 180 degrees. At 0 this very
     /// quaternion does not show the mistake.
     pub angle_deg: f64,

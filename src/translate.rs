@@ -9,8 +9,8 @@ use crate::messages::Fault;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::TaggedQuaternion;
 use crate::report::{
-    AxesReport, Change, Components, Forgotten, ForgottenStep, MappedAxes, PrintedMatrix,
-    ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
+    AxesReport, Change, Components, MappedAxes, Mistake, MistakeKind, PrintedMatrix, ProductOrder,
+    TranslateReport, TranslatedEnd, plain, rows3,
 };
 use crate::request::TranslateRequest;
 use crate::rotation::Rotation;
@@ -56,10 +56,10 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         )
     };
 
-    let mut forgotten = forgotten_steps(&from, &to, &numbers, &rotation);
+    let mut mistakes = mistakes(&from, &to, &numbers, &rotation);
     if changes_axes {
-        forgotten.push(Forgotten {
-            step: ForgottenStep::Axes,
+        mistakes.push(Mistake {
+            kind: MistakeKind::AxesKept,
             angle_deg: angle_deg(&rotation, &attitude.rotation),
         });
     }
@@ -67,7 +67,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     Ok(TranslateReport {
         quaternion: attitude.as_read(),
         change: change_between(&from, &to),
-        forgotten,
+        mistakes,
         product: product_order(&from, &to),
         axes: changes_axes.then(|| AxesReport {
             world: mapped(world),
@@ -112,7 +112,7 @@ fn attitude(
         return Attitude::of_text(&named, Field::Quaternion, declared(from.order));
     }
     let library = pasted.or(from.library);
-    let constructor = library.and_then(|library| library.constructor);
+    let constructor = library.and_then(|library| library.constructor_order);
     match (read, constructor) {
         (Ok(_), Some(order)) => in_order(order),
         (read, _) => read,
@@ -144,7 +144,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
         convention: meaning.numbers(),
         array: numbers.to_array().map(plain),
         order: meaning.order,
-        constructor_order: library.map_or(Some(meaning.order), |library| library.constructor),
+        constructor_order: library.map_or(Some(meaning.order), |library| library.constructor_order),
         sign: meaning.numbers().component_sign(),
         handedness: meaning.handedness,
         action: meaning.action,
@@ -180,13 +180,13 @@ fn change_between(from: &Meaning, to: &Meaning) -> Change {
     }
 }
 
-/// What comes of the numbers when one step, or both, is left out.
-fn forgotten_steps(
+/// What comes of the numbers when a step is left out, or a conjugation done that is not needed.
+fn mistakes(
     from: &Meaning,
     to: &Meaning,
     right: &TaggedQuaternion,
     rotation: &Rotation,
-) -> Vec<Forgotten> {
+) -> Vec<Mistake> {
     let not_reordered = |numbers: &TaggedQuaternion| {
         let mut array = numbers.to_array();
         match from.order {
@@ -195,25 +195,26 @@ fn forgotten_steps(
         }
         TaggedQuaternion::from_array(array, numbers.convention)
     };
-    let steps: Vec<(ForgottenStep, TaggedQuaternion)> = match change_between(from, to) {
-        Change::Copied => Vec::new(),
-        Change::Reordered => vec![(ForgottenStep::Reordering, not_reordered(right))],
-        Change::Conjugated => vec![(ForgottenStep::Conjugation, right.conjugate())],
+    // Its own inverse: the mistake that undoes a needed conjugation is the one that adds another.
+    let conjugated = right.conjugate();
+    let made = match change_between(from, to) {
+        Change::Copied => vec![(MistakeKind::ConjugatedNeedlessly, conjugated)],
+        Change::Reordered => vec![
+            (MistakeKind::NotReordered, not_reordered(right)),
+            (MistakeKind::ConjugatedNeedlessly, conjugated),
+        ],
+        Change::Conjugated => vec![(MistakeKind::NotConjugated, conjugated)],
         Change::ReorderedAndConjugated => vec![
-            (
-                ForgottenStep::ReorderingAndConjugation,
-                not_reordered(&right.conjugate()),
-            ),
-            (ForgottenStep::Conjugation, right.conjugate()),
-            (ForgottenStep::Reordering, not_reordered(right)),
+            (MistakeKind::Copied, not_reordered(&conjugated)),
+            (MistakeKind::NotConjugated, conjugated),
+            (MistakeKind::NotReordered, not_reordered(right)),
         ],
     };
-    steps
-        .into_iter()
-        .filter_map(|(step, wrong)| {
+    made.into_iter()
+        .filter_map(|(kind, wrong)| {
             let wrong = Rotation::from_tagged(&wrong).ok()?;
-            Some(Forgotten {
-                step,
+            Some(Mistake {
+                kind,
                 angle_deg: angle_deg(rotation, &wrong),
             })
         })

@@ -58,7 +58,7 @@ fn nothing_is_claimed_that_was_not_recorded_nor_left_out() {
     for_each(|library, observed, _| {
         let printed = |key: &str| numbers(&observed[key]).is_some();
         let claims = [
-            ("array", library.array.is_some(), printed("arrayOfA")),
+            ("array", library.array_order.is_some(), printed("arrayOfA")),
             (
                 "handedness",
                 library.handedness.is_some(),
@@ -71,7 +71,7 @@ fn nothing_is_claimed_that_was_not_recorded_nor_left_out() {
             assert_eq!(claimed, recorded, "{}: {name}", library.id);
         }
         // Some constructors refuse 0.1, 0.2, 0.3, 0.4, whose norm is not 1; their order shows elsewhere.
-        assert!(library.constructor.is_some() || !printed("constructed1234"));
+        assert!(library.constructor_order.is_some() || !printed("constructed1234"));
     });
 }
 
@@ -187,11 +187,12 @@ fn the_order_of_arrays_and_constructors() {
             .to_array()
         };
         let a = quaternion(&inputs["a"]).expect("a");
-        if let (Some(order), Some(printed)) = (library.array, numbers(&observed["arrayOfA"])) {
+        if let (Some(order), Some(printed)) = (library.array_order, numbers(&observed["arrayOfA"]))
+        {
             assert_close(id, &printed, &in_order(&a, order), SINGLE_PRECISION);
         }
         if let (Some(order), Some(made)) = (
-            library.constructor,
+            library.constructor_order,
             quaternion(&observed["constructed1234"]),
         ) {
             // It took 0.1, 0.2, 0.3, 0.4. Some divide by the norm, some go through a matrix: only the
@@ -318,6 +319,20 @@ fn matrix_and_rotation_agree() {
     }
 }
 
+/// A matrix that is printed as C for row vectors acts as R.
+#[wasm_bindgen_test(unsupported = test)]
+fn without_a_call_that_rotates_the_matrix_tells_the_action() {
+    let record = |vectors: &str| -> Library {
+        let text = format!(
+            r#"{{ "id": "x", "name": "X", "group": "graphics", "language": "c", "version": "1",
+                  "known": "read", "matrix": "C", "vectors": "{vectors}" }}"#
+        );
+        serde_json::from_str(&text).expect("a record")
+    };
+    assert_eq!(record("row").action(), Some(CosineMatrix::Hamilton));
+    assert_eq!(record("column").action(), Some(CosineMatrix::Shuster));
+}
+
 /// The families of the specification's survey, each with its libraries.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_looks_like_jpl_and_is_not() {
@@ -415,7 +430,9 @@ fn lines_of_code_name_all_components_once() {
             .collect();
         places.sort_unstable();
         let order: String = places.iter().map(|(_, name)| *name).collect();
-        let orders = [library.constructor, library.array].into_iter().flatten();
+        let orders = [library.constructor_order, library.array_order]
+            .into_iter()
+            .flatten();
         let known: Vec<&str> = orders
             .map(|order| match order {
                 ComponentOrder::ScalarFirst => "wxyz",

@@ -8,9 +8,10 @@ use common::{all_conventions, assert_close, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     AxesChange, AxesHand, AxisMapping, Change, ComponentOrder, ComponentSign, Convention,
-    CosineMatrix, Direction, Endpoint, Fact, Family, Field, ForgottenStep, Handedness,
-    LibraryEndpoint, Outcome, Problem, ProblemCode, ProductOrder, Request, Rotation, Side,
-    TranslateReport, TranslateRequest, TranslatedEnd, analyze, libraries,
+    CosineMatrix, Direction, Endpoint, Fact, Family, Field, Handedness, LibraryEndpoint,
+    MistakeKind, Outcome, Problem, ProblemCode, ProductOrder, Request, Rotation, Side,
+    TaggedQuaternion, TranslateReport, TranslateRequest, TranslatedEnd, analyze, libraries,
+    library,
 };
 use simulated::{active_matrix, hamilton};
 
@@ -167,6 +168,36 @@ fn the_printed_matrix_is_that_of_the_ends_own_numbers() {
     }
 }
 
+/// Between the 32 conventions it is what `to_convention` does.
+#[wasm_bindgen_test(unsupported = test)]
+fn between_conventions_it_is_the_same_as_ever() {
+    for one in all_conventions() {
+        for other in all_conventions() {
+            let [from, to] = [one, other].map(Endpoint::convention);
+            let expected = TaggedQuaternion::from_array([0.1, 0.7, -0.5, 0.5], one)
+                .to_convention(other)
+                .to_array();
+            assert_eq!(
+                translate(TEXT, from, to).to.array,
+                expected,
+                "{one} to {other}"
+            );
+        }
+    }
+}
+
+/// Without documentation: R(q) body to world, C(q) world to body.
+#[wasm_bindgen_test(unsupported = test)]
+fn customary_directions() {
+    let direction = |id: &str| {
+        assert_eq!(library(id).expect(id).direction, None);
+        between(TEXT, id, "eigen").from.direction
+    };
+    assert_eq!(direction("orekit"), Direction::WorldToBody);
+    assert_eq!(direction("directxmath"), Direction::BodyToWorld);
+    assert_eq!(direction("scipy"), Direction::BodyToWorld);
+}
+
 /// The mistake that this view is for: with the customary directions nothing is conjugated.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_jpl_filter_to_eigen() {
@@ -182,7 +213,12 @@ fn a_jpl_filter_to_eigen() {
     assert_eq!(customary.from.direction, Direction::WorldToBody);
     assert_eq!(customary.to.direction, Direction::BodyToWorld);
     assert_eq!(customary.product, ProductOrder::Reversed);
-    assert!(customary.forgotten.is_empty());
+    assert!(
+        customary
+            .mistakes
+            .iter()
+            .all(|mistake| mistake.kind == MistakeKind::ConjugatedNeedlessly)
+    );
     // C(q) of the one is the transpose of R(q) of the other.
     let [from, to] = [&customary.from, &customary.to].map(|end| end.matrix.clone().expect("known"));
     assert_close("R", &to.rows[0], &[0.28, -0.96, 0.0], 1e-15);
@@ -209,15 +245,18 @@ fn what_goes_wrong_is_an_angle() {
     let report = between(&text, "isaac-lab-2", "isaac-lab-3");
     assert_eq!(report.change, Change::Reordered);
     assert_eq!(report.to.array, [half, 0.0, 0.0, half]);
-    let [forgotten] = report.forgotten[..] else {
-        panic!("one step")
+    let [forgotten, needless] = report.mistakes[..] else {
+        panic!("two mistakes")
     };
-    assert_eq!(forgotten.step, ForgottenStep::Reordering);
+    assert_eq!(forgotten.kind, MistakeKind::NotReordered);
+    // The inverse of a quarter turn is half a turn away.
+    assert_eq!(needless.kind, MistakeKind::ConjugatedNeedlessly);
+    assert!((needless.angle_deg - 180.0).abs() < 1e-12, "{needless:?}");
     // Read as x y z w it is half a turn about (1, 1, 0); from there to the quarter turn about x:
     // |w| of the relative quaternion is 0·√½ + √½·√½ = ½, which is 60° of half the angle.
     assert!((forgotten.angle_deg - 120.0).abs() < 1e-12, "{forgotten:?}");
     // The identity in one order is half a turn in the other; (½, ½, ½, ½) hides the mistake.
-    let angle = |text| between(text, "isaac-lab-2", "isaac-lab-3").forgotten[0].angle_deg;
+    let angle = |text| between(text, "isaac-lab-2", "isaac-lab-3").mistakes[0].angle_deg;
     assert_eq!(angle("1 0 0 0"), 180.0);
     assert_eq!(angle("0.5 0.5 0.5 0.5"), 0.0);
 
@@ -231,21 +270,45 @@ fn what_goes_wrong_is_an_angle() {
         Endpoint::convention(directed),
     );
     let steps: Vec<_> = report
-        .forgotten
+        .mistakes
         .iter()
-        .map(|forgotten| forgotten.step)
+        .map(|forgotten| forgotten.kind)
         .collect();
     assert_eq!(report.change, Change::ReorderedAndConjugated);
     assert_eq!(
         steps,
         [
-            ForgottenStep::ReorderingAndConjugation,
-            ForgottenStep::Conjugation,
-            ForgottenStep::Reordering
+            MistakeKind::Copied,
+            MistakeKind::NotConjugated,
+            MistakeKind::NotReordered
         ]
     );
     // A half turn about (0.6, 0, 0.8): its conjugate is its opposite, the same rotation.
-    assert_eq!(report.forgotten[1].angle_deg, 0.0);
+    assert_eq!(report.mistakes[1].angle_deg, 0.0);
+}
+
+/// Copied as they are, the numbers are read in the other order.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_angle_is_that_to_the_attitude_that_is_read_by_mistake() {
+    let attitude = |convention| {
+        let tagged = TaggedQuaternion::from_array([0.1, 0.7, -0.5, 0.5], convention);
+        Rotation::from_tagged(&tagged).expect("not zero")
+    };
+    let first = attitude(Convention::HAMILTON);
+    let last = attitude(Convention::HAMILTON_SCALAR_LAST);
+    let expected = first.angle_to_rad(&last).to_degrees();
+    for (from, to) in [
+        ("isaac-lab-2", "isaac-lab-3"),
+        ("isaac-lab-3", "isaac-lab-2"),
+    ] {
+        let [mistake, _] = between(TEXT, from, to).mistakes[..] else {
+            panic!("two mistakes")
+        };
+        assert!(
+            (mistake.angle_deg - expected).abs() < 1e-12,
+            "{from}: {mistake:?}"
+        );
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -382,8 +445,8 @@ fn well_known_changes_of_axes() {
         1e-15,
     );
     // Forgotten, the body heads and tilts elsewhere.
-    let last = ros.forgotten.last().expect("a step");
-    assert_eq!(last.step, ForgottenStep::Axes);
+    let last = ros.mistakes.last().expect("a step");
+    assert_eq!(last.kind, MistakeKind::AxesKept);
     assert!((last.angle_deg - 90.0).abs() < 1e-12);
     // A camera of OpenCV to one of OpenGL: half a turn about x, on the body side only.
     let opengl = report(with_axes(

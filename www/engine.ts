@@ -34,7 +34,13 @@ export interface Engine {
 export async function loadEngine(): Promise<Engine> {
   await init({ module_or_path: wasmUrl });
   const { hamilton, jpl } = presets();
-  return { hamilton, jpl, libraries: readLibraries(), analyze, endOf: remembered(endOf) };
+  return {
+    hamilton,
+    jpl,
+    libraries: JSON.parse(librariesJson()),
+    analyze,
+    endOf: remembered(endOf),
+  };
 }
 
 /** The end that a library is when nothing is said beyond its record. */
@@ -51,14 +57,6 @@ function remembered<Value>(of: (id: string) => Value): (id: string) => Value {
     return known.get(id) as Value;
   };
 }
-
-/** Every object inherits a `constructor`: a record without one must say so itself. */
-function readLibraries(): readonly Library[] {
-  const records: Library[] = JSON.parse(librariesJson());
-  return records.map((record) => ({ ...noConstructor, ...record }));
-}
-
-const noConstructor = { constructor: undefined };
 
 function analyze(request: Request): Outcome | Failure {
   try {

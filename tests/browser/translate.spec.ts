@@ -106,7 +106,7 @@ test("what the quaternion takes can be said, and decides about the conjugate", a
   await to.getByRole("radio", { name: "w x y z its constructor" }).check();
   await expect(headline(page)).toHaveText("Reordered and conjugated");
   await expect(page).toHaveURL(/to=eigen~scalar-first~world-to-body/);
-  await expect(page.locator(".forgotten-words")).toHaveText([
+  await expect(page.locator(".mistake-words")).toHaveText([
     "copied as they are",
     "reordered, but not conjugated",
     "conjugated, but not reordered",
@@ -192,7 +192,7 @@ test("axes are a step of their own: a heading of PX4 in ROS", async ({ page }) =
     0, 1, 0, 1, 0, 0, 0, 0, -1,
   ]);
   await expect(page.locator(".matrix-caption").last()).toContainText("determinant +1");
-  await expect(page.locator(".forgotten")).toContainText("on the old axes90° off");
+  await expect(page.locator(".mistakes")).toContainText("on the old axes90° off");
   await expect(page).toHaveURL(/world=ned\+to\+enu&body=FRD\+to\+FLU/);
   // What is not established of a message is said.
   const assumed = page.locator(".column").nth(1).locator(".assumed");
@@ -223,12 +223,12 @@ test("axes of the other hand on one side only are refused, and mended by one but
 test("the angle of a forgotten step, and numbers that do not show it", async ({ page }) => {
   await page.goto("/#translate?translated=1+0+0+0&from=:hamilton&to=scipy");
   // [1, 0, 0, 0] read as x y z w is half a turn; an identity has no conjugate to forget.
-  await expect(page.locator(".forgotten li")).toHaveText([
+  await expect(page.locator(".mistakes li")).toHaveText([
     /^not reordered180° off$/,
     /^conjugated all the sameno difference/,
   ]);
   await quaternionField(page).fill("0.5 0.5 0.5 0.5");
-  await expect(page.locator(".forgotten li").first()).toContainText("no difference");
+  await expect(page.locator(".mistakes li").first()).toContainText("no difference");
 });
 
 test("an error keeps the last result, with the place marked", async ({ page }) => {

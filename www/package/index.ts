@@ -67,7 +67,7 @@ export const libraries: readonly Library[] = Object.freeze(JSON.parse(librariesJ
 
 /**
  * One attitude, from one library or convention to another: the numbers at both ends, what was done to
- * them, the matrices, the lines of code, and what goes wrong if the step is forgotten.
+ * them, the matrices, the lines of code, and what goes wrong if a step is forgotten.
  *
  * What is typed never throws, see `analyze`.
  *

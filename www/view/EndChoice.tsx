@@ -94,7 +94,7 @@ function DirectionChoice({
   const reason = (direction: Direction): string | undefined => {
     if (direction !== usual.direction) return undefined;
     if (library.direction !== undefined) return "documented";
-    return usual.assumed.includes("action") ? "assumed" : "custom";
+    return usual.assumed.includes("action") ? "assumed" : "customary";
   };
   return (
     <Segments
@@ -127,8 +127,8 @@ function OrderChoice({
   const usual = orders[0] ?? "scalar-last";
   const reason = (order: string): string | undefined => {
     if (orders.length === 0) return order === usual ? "assumed" : undefined;
-    if (order === library.array) return "its array";
-    return order === library.constructor ? "its constructor" : undefined;
+    if (order === library.arrayOrder) return "its array";
+    return order === library.constructorOrder ? "its constructor" : undefined;
   };
   return (
     <Segments

@@ -170,7 +170,7 @@ function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; st
   const { family, first } = establishedOf(store.engine.endOf(library.id));
   const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
   const { array, handedness, matrix, vectors } = library;
-  const constructed = library.constructor && lettersOf[library.constructor];
+  const constructed = library.constructorOrder && lettersOf[library.constructorOrder];
   const isOther = ordersOf(library).length === 2;
   const cells = [
     library.version,

@@ -11,7 +11,7 @@ import { NamedComponents } from "./Form.tsx";
 import { accentOf, endName, libraryWith } from "./library_words.ts";
 import { Notes } from "./Notes.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
-import { AxesCard, ForgottenCard, ProductCard } from "./TranslateFacts.tsx";
+import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { changeWords, Why } from "./TranslationWhy.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
 import { arrowOf, nameOf as conventionName, lettersOf } from "./words.ts";
@@ -218,7 +218,7 @@ function Result({
       </div>
       <div class="facts">
         <ProductCard report={report} names={names} store={store} />
-        <ForgottenCard report={report} digits={digits} />
+        <MistakesCard report={report} digits={digits} />
       </div>
       {report.axes && <AxesCard axes={report.axes} digits={digits} />}
     </>

@@ -1,11 +1,11 @@
-// What else a translation changes: the product, what is forgotten, the axes.
+// What else a translation changes: the product, the mistakes, the axes.
 import { type Digits, toFragment } from "../address.ts";
 import type {
   AxesReport,
   Direction,
   Engine,
-  ForgottenStep,
   MappedAxes,
+  MistakeKind,
   TranslatedEnd,
   TranslateReport,
 } from "../engine.ts";
@@ -97,25 +97,25 @@ const swapped = (call: string) =>
   call.replace(/\b[ab]\b/g, (operand) => (operand === "a" ? "b" : "a"));
 
 /** The angle by which the attitude is wrong. */
-export function ForgottenCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
+export function MistakesCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
   const mistakes = mistakesOf(report);
   return (
-    <section class="fact forgotten" aria-labelledby="forgotten-name">
-      <h2 id="forgotten-name">What goes wrong with these numbers</h2>
+    <section class="fact mistakes" aria-labelledby="mistakes-name">
+      <h2 id="mistakes-name">What goes wrong with these numbers</h2>
       <ul>
         {mistakes.map(({ words, angleDeg }) => (
           <li key={words}>
-            <span class="forgotten-words">{words}</span>
+            <span class="mistake-words">{words}</span>
             {angleDeg === 0 ? (
-              <span class="forgotten-none">
+              <span class="mistake-none">
                 no difference: these numbers do not show the mistake, others will
               </span>
             ) : (
               <>
-                <span class="forgotten-angle">
+                <span class="mistake-angle">
                   <code>{shownDegrees(angleDeg, digits)}</code> off
                 </span>
-                <span class="forgotten-bar" aria-hidden="true">
+                <span class="mistake-bar" aria-hidden="true">
                   <span style={{ width: `${(angleDeg / 180) * 100}%` }} />
                 </span>
               </>
@@ -127,35 +127,22 @@ export function ForgottenCard({ report, digits }: { report: TranslateReport; dig
   );
 }
 
-interface Mistake {
-  words: string;
-  angleDeg: number;
-}
-
-const stepWords: Record<ForgottenStep, string> = {
-  reordering: "not reordered",
-  conjugation: "not conjugated",
-  "reordering-and-conjugation": "copied as they are",
-  axes: "on the old axes",
+const mistakeWords: Record<MistakeKind, string> = {
+  copied: "copied as they are",
+  "not-reordered": "not reordered",
+  "not-conjugated": "not conjugated",
+  "conjugated-needlessly": "conjugated all the same",
+  "axes-kept": "on the old axes",
 };
 
-function mistakesOf({ forgotten, change, turn, axes }: TranslateReport): Mistake[] {
-  const other = { reordering: "conjugated, but ", conjugation: "reordered, but " };
-  const mistakes = forgotten.map(({ step, angleDeg }) => {
-    const isHalf =
-      change === "reordered-and-conjugated" && (step === "reordering" || step === "conjugation");
-    return { words: (isHalf ? other[step] : "") + stepWords[step], angleDeg };
+function mistakesOf({ mistakes, change }: TranslateReport) {
+  const both = change === "reordered-and-conjugated";
+  const done = { "not-reordered": "conjugated, but ", "not-conjugated": "reordered, but " };
+  return mistakes.map(({ kind, angleDeg }) => {
+    const before =
+      both && (kind === "not-reordered" || kind === "not-conjugated") ? done[kind] : "";
+    return { words: before + mistakeWords[kind], angleDeg };
   });
-  const isConjugated = change === "conjugated" || change === "reordered-and-conjugated";
-  // A conjugate too many is the inverse attitude: off by twice the turn.
-  if (!isConjugated && axes === undefined) {
-    const twice = 2 * turn.angleDeg;
-    mistakes.push({
-      words: "conjugated all the same",
-      angleDeg: twice > 180 ? 360 - twice : twice,
-    });
-  }
-  return mistakes;
 }
 
 /** The change of axes, with its matrices. */

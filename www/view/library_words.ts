@@ -138,12 +138,14 @@ export function endName(end: Endpoint, engine: Engine): string {
 
 /** The order of a record: that of its array, or else of its constructor. */
 export function orderOf(library: Library): ComponentOrder | undefined {
-  return library.array ?? library.constructor;
+  return library.arrayOrder ?? library.constructorOrder;
 }
 
 /** The orders in which four numbers of a library stand: one, two, or none that is established. */
 export function ordersOf(library: Library): ComponentOrder[] {
-  return [...new Set([library.array, library.constructor])].filter((order) => order !== undefined);
+  return [...new Set([library.arrayOrder, library.constructorOrder])].filter(
+    (order) => order !== undefined,
+  );
 }
 
 /** What is established of the way a library acts; nothing that the core assumed. */

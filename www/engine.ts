@@ -7,6 +7,7 @@ import init, {
   type Outcome,
   presets,
   type Request,
+  type TranslatedEnd,
   takePanicMessage,
 } from "../pkg/quatlas.js";
 import wasmUrl from "../pkg/quatlas_bg.wasm?url";
@@ -26,12 +27,29 @@ export interface Engine {
   libraries: readonly Library[];
   /** The answer to a request. It never throws. */
   analyze: (request: Request) => Outcome | Failure;
+  /** What a library of the table does by itself, with an example; nothing for another id. */
+  endOf: (id: string) => TranslatedEnd | undefined;
 }
 
 export async function loadEngine(): Promise<Engine> {
   await init({ module_or_path: wasmUrl });
   const { hamilton, jpl } = presets();
-  return { hamilton, jpl, libraries: readLibraries(), analyze };
+  return { hamilton, jpl, libraries: readLibraries(), analyze, endOf: remembered(endOf) };
+}
+
+/** The end that a library is when nothing is said beyond its record. */
+function endOf(id: string): TranslatedEnd | undefined {
+  const end = { kind: "library", id } as const;
+  const answer = analyze({ view: "translate", quaternion: "1 2 3 4", from: end, to: end });
+  return answer.status === "translate" ? answer.from : undefined;
+}
+
+function remembered<Value>(of: (id: string) => Value): (id: string) => Value {
+  const known = new Map<string, Value>();
+  return (id) => {
+    if (!known.has(id)) known.set(id, of(id));
+    return known.get(id) as Value;
+  };
 }
 
 /** Every object inherits a `constructor`: a record without one must say so itself. */

@@ -7,18 +7,21 @@ import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { MoreAxes } from "./Axes.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
-type TextName = "quaternion" | "p" | "q" | "vector" | "translated";
+type TextName = "quaternion" | "p" | "q" | "vector" | "translated" | "worldAxes" | "bodyAxes";
+
+/** The texts that a view is about. */
+const heroes: readonly Field[] = ["quaternion", "p", "q"];
 
 /** A field for text in any form, with the place of a problem marked in the text itself. */
 export function TextField({
   store,
   field,
-  name = field,
+  name = field as TextName,
   label = field === "vector" ? "vector" : "quaternion",
 }: {
   store: Store;
   /** As the core names it in a problem. */
-  field: TextName & Field;
+  field: Field;
   /** As the state names it. */
   name?: TextName;
   label?: string;
@@ -28,7 +31,7 @@ export function TextField({
   const text = store.state.value[name];
   const problem = store.problemOf(field);
   return (
-    <div class={`field ${field === "vector" ? "field-plain" : "field-hero"}`}>
+    <div class={`field ${heroes.includes(field) ? "field-hero" : "field-plain"}`}>
       <div class="field-box">
         <label for={id} class="field-label">
           <span class="visually-hidden">{label}</span>
@@ -95,7 +98,7 @@ const problemId = (field: Field) => `problem-${field}`;
  * What is said about the texts: how they were read, or what stands in the way. One place for both,
  * so that nothing moves while a text is typed.
  */
-function AskStatus({
+export function AskStatus({
   store,
   freshness,
   children,
@@ -186,7 +189,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
 const digitChoices: Digits[] = ["4", "6", "all"];
 
 /** Chooses how many decimals are shown. */
-function DigitsSwitch({ store }: { store: Store }) {
+export function DigitsSwitch({ store }: { store: Store }) {
   const { digits: chosen } = store.state.value;
   return (
     <fieldset class="digits">

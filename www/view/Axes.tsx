@@ -60,7 +60,8 @@ export function MoreAxes({ store }: { store: Store }) {
   );
 }
 
-function Choice({
+/** The two values of one axis. */
+export function Choice({
   axis,
   group,
   of,

@@ -1,11 +1,203 @@
-// The Libraries view: what each library means by four numbers.
+// The Libraries view: what each library means by four numbers; a reference to link to.
+import { useEffect, useId } from "preact/hooks";
+import { toFragment } from "../address.ts";
+import type { Group, Known, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
+import { LibraryRecord } from "./LibraryRecord.tsx";
+import { found } from "./library_search.ts";
+import {
+  aboutLibrary,
+  accentOf,
+  establishedOf,
+  familyWords,
+  groupNames,
+  groups,
+  knownWords,
+  notEstablished,
+  ordersOf,
+  productWords,
+} from "./library_words.ts";
+import { lettersOf } from "./words.ts";
+
+const columns = [
+  "Library",
+  "Version, how it is known",
+  "Array",
+  "Constructor",
+  "Product",
+  "Rotates by",
+  "Matrix as printed",
+  "a * b: first",
+  "So it is",
+] as const;
 
 export function Libraries({ store }: { store: Store }) {
-  return <p class="result">{store.engine.libraries.length} records.</p>;
+  const { find, library: opened } = store.state.value;
+  const { libraries } = store.engine;
+  const matching = foundIn(store);
+  const inputId = useId();
+  useEffect(() => bringIntoView(opened), [opened]);
+  return (
+    <>
+      <section class="ask library-ask" aria-label="Input">
+        <h2 class="visually-hidden">What libraries mean by four numbers</h2>
+        <div class="library-find">
+          <label for={inputId}>Find a library</label>
+          <input
+            id={inputId}
+            type="search"
+            autocomplete="off"
+            spellcheck={false}
+            placeholder="name, module, language, xyzw, JPL …"
+            value={find}
+            onInput={(event) => store.set({ find: event.currentTarget.value })}
+          />
+        </div>
+        <p class="library-intro">
+          {counted(matching, libraries)} <strong>R</strong> is the matrix of Hamilton's active
+          rotation, <var>R</var>(<var>q</var>) <var>v</var> = <var>q</var> <var>v</var> <var>q</var>
+          *, and <strong>C</strong> its transpose. A dash means {notEstablished}.
+        </p>
+      </section>
+      <div class="result current">
+        {matching.length === 0 ? (
+          <p class="absent">
+            No record has all these words. Try one of them, or{" "}
+            <button type="button" class="quiet" onClick={() => store.set({ find: "" })}>
+              show all {libraries.length}
+            </button>
+          </p>
+        ) : (
+          <table class="libraries">
+            <thead>
+              <tr>
+                {columns.map((name) => (
+                  <th key={name} scope="col">
+                    {name}
+                  </th>
+                ))}
+              </tr>
+            </thead>
+            {groups.map((group) => (
+              <GroupRows
+                key={group}
+                group={group}
+                libraries={matching.filter((library) => library.group === group)}
+                store={store}
+              />
+            ))}
+          </table>
+        )}
+      </div>
+    </>
+  );
 }
 
-/** What a screen reader hears when the result changes. */
+function foundIn(store: Store): readonly Library[] {
+  const { engine } = store;
+  const { find } = store.state.value;
+  return found(engine.libraries, find, (library) => aboutLibrary(library, engine));
+}
+
+const rowId = (id: string) => `library-${id}`;
+
+/** A record that was opened by its address is somewhere below. */
+function bringIntoView(id: string) {
+  const row = document.getElementById(rowId(id));
+  if (row === null) return;
+  const { top, bottom } = row.getBoundingClientRect();
+  if (top < 0 || bottom > innerHeight) row.scrollIntoView({ block: "start" });
+}
+
+function counted(matching: readonly Library[], all: readonly Library[]): string {
+  const of = (known: Known) => matching.filter((library) => library.known === known).length;
+  const total =
+    matching.length === all.length
+      ? `${all.length} records`
+      : `${matching.length} of ${all.length}`;
+  return `${total}: ${of("run")} were run, of ${of("read")} the source was read, ${of("documented")} are only documented.`;
+}
+
+function GroupRows({
+  group,
+  libraries,
+  store,
+}: {
+  group: Group;
+  libraries: readonly Library[];
+  store: Store;
+}) {
+  if (libraries.length === 0) return null;
+  const { library: opened } = store.state.value;
+  return (
+    <tbody>
+      <tr class="library-group">
+        <th scope="rowgroup" colSpan={columns.length}>
+          {groupNames[group]}
+        </th>
+      </tr>
+      {libraries.flatMap((library) => {
+        const isOpen = library.id === opened;
+        const row = <Row key={library.id} library={library} isOpen={isOpen} store={store} />;
+        if (!isOpen) return [row];
+        return [
+          row,
+          <tr key={`${library.id} record`} class="library-opened">
+            <td colSpan={columns.length}>
+              <LibraryRecord library={library} store={store} />
+            </td>
+          </tr>,
+        ];
+      })}
+    </tbody>
+  );
+}
+
+function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; store: Store }) {
+  const { action, family, first } = establishedOf(store.engine.endOf(library.id));
+  const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
+  const { array, handedness, matrix, vectors } = library;
+  const constructed = library.constructor && lettersOf[library.constructor];
+  const isOther = ordersOf(library).length === 2;
+  const cells = [
+    `${library.version}, ${knownWords[library.known][0]}`,
+    array && lettersOf[array],
+    isOther ? <strong>{constructed}</strong> : constructed,
+    handedness && productWords[handedness],
+    action && `${action}(q)`,
+    matrix && `${matrix}(q)${vectors === undefined ? "" : vectors === "row" ? ", v M" : ", M v"}`,
+    first && (first === "right" ? "b" : "a"),
+    family && <span class={`family ${accentOf(family)}`}>{familyWords[family][0]}</span>,
+  ];
+  return (
+    <tr id={rowId(library.id)} class={isOpen ? "library-row open" : "library-row"}>
+      <th scope="row">
+        <a href={`#${toFragment(toggled)}`} aria-expanded={isOpen}>
+          {library.name}
+        </a>
+      </th>
+      {cells.map((cell, at) => (
+        <td key={columns[at + 1]} data-label={columns[at + 1]}>
+          {cell ?? <NotEstablished />}
+        </td>
+      ))}
+    </tr>
+  );
+}
+
+function NotEstablished() {
+  return (
+    <span class="none" title={notEstablished}>
+      <span aria-hidden="true">–</span>
+      <span class="visually-hidden">{notEstablished}</span>
+    </span>
+  );
+}
+
+/** What a screen reader hears when the table changes. */
 export function spokenLibraries(store: Store): string {
-  return `${store.engine.libraries.length} records.`;
+  const matching = foundIn(store);
+  const opened = matching.find(({ id }) => id === store.state.value.library);
+  const count = `${matching.length} of ${store.engine.libraries.length} libraries.`;
+  return opened ? `${count} The record of ${opened.name} is open.` : count;
 }

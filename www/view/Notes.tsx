@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
 import type { ComponentOrder, Note, OrderSource } from "../engine.ts";
 import { shown, shownDegrees } from "../format.ts";
-import { symbolOf } from "./words.ts";
+import { lettersOf, symbolOf } from "./words.ts";
 
 export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digits }) {
   if (notes.length === 0) return null;
@@ -22,11 +22,6 @@ export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digit
     </ul>
   );
 }
-
-const orders: Record<ComponentOrder, string> = {
-  "scalar-first": "w x y z",
-  "scalar-last": "x y z w",
-};
 
 const otherOrder: Record<ComponentOrder, ComponentOrder> = {
   "scalar-first": "scalar-last",
@@ -56,15 +51,15 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
     case "order-from-text":
       return (
         <>
-          The text tells its order by its {sources[fact.source]} ({orders[fact.order]}
+          The text tells its order by its {sources[fact.source]} ({lettersOf[fact.order]}
           ), which is not the declared one; the text wins.
         </>
       );
     case "order-assumed":
       return (
         <>
-          Bare numbers do not tell their order: read as <code>{orders[fact.order]}</code>. As{" "}
-          <code>{orders[otherOrder[fact.order]]}</code> they would be a rotation{" "}
+          Bare numbers do not tell their order: read as <code>{lettersOf[fact.order]}</code>. As{" "}
+          <code>{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
           <code>{shownDegrees(Number(fact.otherOrderDiffersByDeg.toPrecision(3)), "all")}</code>{" "}
           away.
         </>
@@ -80,7 +75,7 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
       return (
         <>
           The order of <code>{fact.name}</code> is not known here: read as{" "}
-          <code>{orders[fact.order]}</code>, as declared.
+          <code>{lettersOf[fact.order]}</code>, as declared.
         </>
       );
     case "angle-unit-assumed":

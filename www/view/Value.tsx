@@ -45,7 +45,7 @@ export function ComponentStrip({
   name: string;
   symbol: string;
   components: Components;
-  convention: Convention;
+  convention: Pick<Convention, "order">;
   digits: Digits;
 }) {
   const names = namesInOrder(convention);
@@ -65,7 +65,7 @@ export function ComponentStrip({
   );
 }
 
-export function namesInOrder(convention: Convention): ("w" | "x" | "y" | "z")[] {
+export function namesInOrder(convention: Pick<Convention, "order">): ("w" | "x" | "y" | "z")[] {
   return convention.order === "scalar-first" ? ["w", "x", "y", "z"] : ["x", "y", "z", "w"];
 }
 

@@ -1,6 +1,13 @@
 // The names of the texts and of the two presets; the same words everywhere on the page.
 import { type Axis, axes, type Preset } from "../address.ts";
-import type { Convention, Direction, Engine, Field, Handedness } from "../engine.ts";
+import type {
+  ComponentOrder,
+  Convention,
+  Direction,
+  Engine,
+  Field,
+  Handedness,
+} from "../engine.ts";
 
 /** What a text is called in formulas. */
 export const symbolOf: Record<Field, string> = {
@@ -21,6 +28,12 @@ export const symbolOf: Record<Field, string> = {
 
 /** The preset that has a product. */
 export const presetOf: Record<Handedness, Preset> = { right: "hamilton", left: "jpl" };
+
+/** The four numbers in an order. */
+export const lettersOf: Record<ComponentOrder, string> = {
+  "scalar-first": "w x y z",
+  "scalar-last": "x y z w",
+};
 
 const arrows: Record<Direction, string> = {
   "body-to-world": "body → world",

@@ -1,0 +1,224 @@
+// What else a translation changes: the product, what is forgotten, the axes.
+import { type Digits, toFragment } from "../address.ts";
+import type {
+  AxesReport,
+  Direction,
+  Engine,
+  ForgottenStep,
+  MappedAxes,
+  TranslatedEnd,
+  TranslateReport,
+} from "../engine.ts";
+import { shownDegrees } from "../format.ts";
+import type { Store } from "../state.ts";
+import { libraryWith, notEstablished } from "./library_words.ts";
+import type { EndNames } from "./Translate.tsx";
+import { Matrix } from "./Value.tsx";
+
+/** How `a * b` of the first end is written at the second. */
+export function ProductCard({
+  report,
+  names,
+  store,
+}: {
+  report: TranslateReport;
+  names: EndNames;
+  store: Store;
+}) {
+  const { engine } = store;
+  const { from, to, product } = report;
+  return (
+    <section class="fact" aria-labelledby="product-name">
+      <h2 id="product-name">A product</h2>
+      <p class="fact-value product-line">
+        <code>{productOf(from, engine)}</code>
+        <span class="product-becomes">{product === "not-established" ? "may be" : "becomes"}</span>
+        <code>
+          {product === "reversed" ? swapped(productOf(to, engine)) : productOf(to, engine)}
+        </code>
+      </p>
+      <p>
+        {product === "not-established" ? (
+          <>
+            The product of one of the two is {notEstablished}. With what it prints,{" "}
+            <a href={`#${toFragment({ ...store.state.value, view: "identify" })}`}>Identify</a>{" "}
+            finds it out.
+          </>
+        ) : (
+          <ProductWords from={from} to={to} names={names} isReversed={product === "reversed"} />
+        )}
+      </p>
+    </section>
+  );
+}
+
+/** Which operand acts first at either end, and whether both lead the same way. */
+function ProductWords({
+  from,
+  to,
+  names,
+  isReversed,
+}: {
+  from: TranslatedEnd;
+  to: TranslatedEnd;
+  names: EndNames;
+  isReversed: boolean;
+}) {
+  const sameFirst = from.firstToAct === to.firstToAct;
+  const sameWay = from.direction === to.direction;
+  return (
+    <>
+      {sameFirst
+        ? `In both, the ${from.firstToAct} operand acts first on a vector`
+        : `In ${names.from} the ${from.firstToAct} operand acts first, in ${names.to} the ${to.firstToAct} one`}
+      {sameWay
+        ? `, and both lead ${wayWords[from.direction]}`
+        : `; one leads ${wayWords[from.direction]}, the other back`}
+      . So, with <var>a</var> and <var>b</var> translated,{" "}
+      <strong>
+        {isReversed ? "the operands change places" : "the operands keep their places"}
+      </strong>
+      .
+    </>
+  );
+}
+
+const wayWords: Record<Direction, string> = {
+  "body-to-world": "from body to world",
+  "world-to-body": "from world to body",
+};
+
+function productOf(end: TranslatedEnd, engine: Engine): string {
+  return libraryWith(engine, end.library)?.code?.product ?? "a * b";
+}
+
+/** The call with its operands in each other's place. */
+const swapped = (call: string) =>
+  call.replace(/\b[ab]\b/g, (operand) => (operand === "a" ? "b" : "a"));
+
+/** The angle by which the attitude is wrong. */
+export function ForgottenCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
+  const mistakes = mistakesOf(report);
+  return (
+    <section class="fact forgotten" aria-labelledby="forgotten-name">
+      <h2 id="forgotten-name">What goes wrong with these numbers</h2>
+      <ul>
+        {mistakes.map(({ words, angleDeg }) => (
+          <li key={words}>
+            <span class="forgotten-words">{words}</span>
+            {angleDeg === 0 ? (
+              <span class="forgotten-none">
+                no difference: these numbers do not show the mistake, others will
+              </span>
+            ) : (
+              <>
+                <span class="forgotten-angle">
+                  <code>{shownDegrees(angleDeg, digits)}</code> off
+                </span>
+                <span class="forgotten-bar" aria-hidden="true">
+                  <span style={{ width: `${(angleDeg / 180) * 100}%` }} />
+                </span>
+              </>
+            )}
+          </li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+interface Mistake {
+  words: string;
+  angleDeg: number;
+}
+
+const stepWords: Record<ForgottenStep, string> = {
+  reordering: "not reordered",
+  conjugation: "not conjugated",
+  "reordering-and-conjugation": "copied as they are",
+  axes: "on the old axes",
+};
+
+function mistakesOf({ forgotten, change, turn, axes }: TranslateReport): Mistake[] {
+  const other = { reordering: "conjugated, but ", conjugation: "reordered, but " };
+  const mistakes = forgotten.map(({ step, angleDeg }) => {
+    const isHalf =
+      change === "reordered-and-conjugated" && (step === "reordering" || step === "conjugation");
+    return { words: (isHalf ? other[step] : "") + stepWords[step], angleDeg };
+  });
+  const isConjugated = change === "conjugated" || change === "reordered-and-conjugated";
+  // A conjugate too many is the inverse attitude: off by twice the turn.
+  if (!isConjugated && axes === undefined) {
+    const twice = 2 * turn.angleDeg;
+    mistakes.push({
+      words: "conjugated all the same",
+      angleDeg: twice > 180 ? 360 - twice : twice,
+    });
+  }
+  return mistakes;
+}
+
+/** The change of axes, with its matrices. */
+export function AxesCard({ axes, digits }: { axes: AxesReport; digits: Digits }) {
+  const isMirrored = axes.world.hand === "changed";
+  return (
+    <section class="card column custom" aria-labelledby="axes-name">
+      <header>
+        <h2 id="axes-name">The change of axes</h2>
+        <p class="effect">
+          The new matrix is <var>A</var>
+          <sub>world</sub> <var>R</var> <var>A</var>
+          <sub>body</sub>
+          <sup>T</sup>, with <var>R</var> from body to world.
+        </p>
+      </header>
+      <div class="matrices">
+        <Mapped of="world" mapped={axes.world} digits={digits} />
+        <Mapped of="body" mapped={axes.body} digits={digits} />
+      </div>
+      <p class="hand-words">
+        {isMirrored ? (
+          <>
+            <strong>Both change the hand of the axes</strong>: right-handed ones become left-handed,
+            or the other way round. The turn in space stays the same, but it is counted by the other
+            hand: what was counter-clockwise about an axis, seen against it, is now clockwise. So
+            the rotation vector becomes −<var>A</var> times the old one, not <var>A</var> times. One
+            side alone would be a reflection, which has no quaternion.
+          </>
+        ) : (
+          <>
+            Both keep the hand of the axes (determinant +1), so a turn that was counter-clockwise
+            about an axis is so still.
+          </>
+        )}
+      </p>
+    </section>
+  );
+}
+
+function Mapped({
+  of,
+  mapped,
+  digits,
+}: {
+  of: "world" | "body";
+  mapped: MappedAxes;
+  digits: Digits;
+}) {
+  return (
+    <Matrix
+      name={`new axes of the ${of}`}
+      symbol={
+        <>
+          <var>A</var>
+          <sub>{of}</sub>
+        </>
+      }
+      caption={`new x y z = ${mapped.text.replaceAll("-", "−")}, determinant ${
+        mapped.determinant > 0 ? "+1" : "−1"
+      }`}
+      rows={mapped.rows}
+      digits={digits}
+    />
+  );
+}

@@ -1,0 +1,38 @@
+// Finding a record by what people type; pure.
+import type { Library } from "../engine.ts";
+import { groupNames, languageNames } from "./library_words.ts";
+
+const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
+
+/** How well a record fits a text: the smaller the better, undefined where it does not. */
+function distance(library: Library, asked: string, about: string): number | undefined {
+  const name = library.name.toLowerCase();
+  const others = [library.id, ...(library.words ?? [])].join(" ").toLowerCase();
+  const field = [groupNames[library.group], library.group, languageNames[library.language], about]
+    .join(" ")
+    .toLowerCase();
+  const distances = wordsOf(asked)
+    .filter((word) => word !== "")
+    .map((word) => {
+      if (name.startsWith(word) || library.id.startsWith(word)) return 0;
+      if (wordsOf(name).some((part) => part.startsWith(word))) return 1;
+      if (name.includes(word)) return 2;
+      if (others.includes(word)) return 3;
+      return field.includes(word) ? 4 : undefined;
+    });
+  if (distances.includes(undefined)) return undefined;
+  return Math.max(0, ...distances.filter((one) => one !== undefined));
+}
+
+/** The records that fit every word of a text, the best first; all in their order for none. */
+export function found(
+  libraries: readonly Library[],
+  asked: string,
+  about: (library: Library) => string,
+): Library[] {
+  return libraries
+    .map((library) => ({ library, distance: distance(library, asked, about(library)) }))
+    .filter(({ distance }) => distance !== undefined)
+    .sort((one, other) => (one.distance ?? 0) - (other.distance ?? 0))
+    .map(({ library }) => library);
+}

@@ -4,6 +4,7 @@ import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
+import "./view/identify.css";
 import "./view/libraries.css";
 import "./view/translate.css";
 import { Page } from "./view/Page.tsx";

@@ -30,7 +30,7 @@ test("opens on a library with JPL's product that is not JPL", async ({ page }) =
   await expect(page.getByText("an example")).toBeVisible();
   await expect(page.locator(".left")).toHaveText("4 of 128 behaviours are left");
   await expect(page.getByRole("region", { name: "Between Hamilton and JPL" })).toContainText(
-    "Not JPL, although ij = −k.",
+    "Not JPL: Shuster product, but R(q).",
   );
   await expect(page.getByRole("link", { name: "DirectXMath" })).toHaveAttribute(
     "href",
@@ -69,7 +69,7 @@ test("the same three questions tell DirectXMath from JPL", async ({ page }) => {
   await expect(sentence(page)).toContainText("multiplies Shuster/JPL (i*j = -k)");
   await expect(sentence(page)).toContainText("lets the left operand a of a*b act first");
   const relatives = page.getByRole("region", { name: "Between Hamilton and JPL" });
-  await expect(relatives).toContainText("Not JPL, although ij = −k.");
+  await expect(relatives).toContainText("Not JPL: Shuster product, but R(q).");
   await expect(relatives).toContainText("row vectors");
   // And on to the last choice: the sheet says when there is nothing left to ask.
   await page.keyboard.type("0.52 0.52 0.47 0.47");
@@ -200,6 +200,21 @@ test("the code of a question follows the language", async ({ page }) => {
   await page.getByRole("combobox", { name: "Code in" }).selectOption("C++");
   await expect(page.locator(".code-line code")).toHaveText(/^std::cout/);
   await expect(page).toHaveURL(/language=cpp/);
+});
+
+test("the field that is typed in stays where it is", async ({ page }) => {
+  await startEmpty(page);
+  const answers = ["-1 0 0 0", "3 1 2", "0 1 0 0 0 1 1 0 0", "0.52 0.52 0.47 0.47"];
+  for (const [at, text] of answers.entries()) {
+    const field = printed(page, at + 1);
+    await field.focus();
+    const top = () => field.evaluate((node) => node.getBoundingClientRect().top + scrollY);
+    const before = await top();
+    for (const character of text) {
+      await page.keyboard.type(character);
+      expect(await top()).toBe(before);
+    }
+  }
 });
 
 test("reloading the address gives the same sheet", async ({ page }) => {

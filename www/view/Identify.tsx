@@ -1,7 +1,7 @@
 // The Identify view: which convention a library uses, from what it prints.
 import { useMemo } from "preact/hooks";
 import { opening, type PageState, toFragment } from "../address.ts";
-import type { Language, Probe } from "../engine.ts";
+import type { Probe } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { AnswerCard, answerId, behavioursLeft } from "./IdentifyAnswer.tsx";
 import { MatchingLibraries } from "./IdentifyLibraries.tsx";
@@ -9,8 +9,8 @@ import { Meaning } from "./IdentifyMeaning.tsx";
 import { printedId } from "./IdentifyObservation.tsx";
 import { Sheet } from "./IdentifySheet.tsx";
 import { keptAnswer } from "./identify_answer.ts";
-import { choiceWords, languageNames, listed } from "./identify_words.ts";
-import "./identify.css";
+import { choiceWords, codeLanguages, listed, settledFamily } from "./identify_words.ts";
+import { familyWords, languageNames } from "./library_words.ts";
 
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);
@@ -18,6 +18,7 @@ export function Identify({ store }: { store: Store }) {
   if (answer === undefined) return <p class="left">No answer yet.</p>;
   const name = store.state.value.libraryName.trim() || "The library";
   const { shown, age } = answer;
+  const family = settledFamily(shown.remaining);
   return (
     <>
       <Ask store={store} />
@@ -30,7 +31,10 @@ export function Identify({ store }: { store: Store }) {
         <MatchingLibraries store={store} report={shown} />
       </div>
       <p class="progress">
-        {behavioursLeft(shown.possible)}
+        <span>
+          {family && <strong>{familyWords[family][0]}. </strong>}
+          {behavioursLeft(shown.possible)}
+        </span>
         <button
           type="button"
           class="quiet"
@@ -153,14 +157,13 @@ function Ask({ store }: { store: Store }) {
           <select
             value={chosen}
             onChange={(event) => {
-              const languages = Object.keys(languageNames) as Language[];
-              const language = languages.find((name) => name === event.currentTarget.value);
+              const language = codeLanguages.find((name) => name === event.currentTarget.value);
               if (language) store.set({ language });
             }}
           >
-            {Object.entries(languageNames).map(([language, name]) => (
+            {codeLanguages.map((language) => (
               <option key={language} value={language}>
-                {name}
+                {languageNames[language]}
               </option>
             ))}
           </select>

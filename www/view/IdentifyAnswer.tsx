@@ -19,11 +19,7 @@ export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) 
   const { report, shown, age } = answer;
   const name = store.state.value.libraryName.trim() || "The library";
   return (
-    <section
-      class={`card answer ${age === "current" ? "" : "aged"}`}
-      aria-labelledby={answerId}
-      tabIndex={-1}
-    >
+    <section class={`card answer ${age === "current" ? "" : "aged"}`} aria-labelledby={answerId}>
       <header>
         <h2 id={answerId} tabIndex={-1}>
           {name}

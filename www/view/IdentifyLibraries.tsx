@@ -1,11 +1,15 @@
 // The records that say nothing else than what was observed.
 import { toFragment } from "../address.ts";
-import type { IdentifyReport, Library, LibraryMatch } from "../engine.ts";
+import type { IdentifyReport, LibraryMatch } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { choiceWords, knownWords, listed } from "./identify_words.ts";
+import { choiceWords, listed } from "./identify_words.ts";
+import { knownWords, libraryWith, notEstablished } from "./library_words.ts";
 
 /** As many are shown without being asked for. */
 const shownAtOnce = 12;
+
+/** Stands for the id of any record. */
+const anyId = "any-id";
 
 /** A record that leaves more choices open than these hardly tells anything. */
 const mostOpen = 2;
@@ -64,36 +68,40 @@ function MatchList({
 }
 
 function Matches({ store, matches }: { store: Store; matches: readonly LibraryMatch[] }) {
+  // Written once for all of them: an address takes its time.
+  const address = toFragment({ ...store.state.value, view: "libraries", library: anyId });
+  const linkTo = (id: string) => `#${address.replace(`library=${anyId}`, `library=${id}`)}`;
   return (
     <ul class="match-list">
       {matches.map((match) => (
-        <Match key={match.id} store={store} match={match} />
+        <Match key={match.id} store={store} match={match} linkTo={linkTo} />
       ))}
     </ul>
   );
 }
 
-function Match({ store, match }: { store: Store; match: LibraryMatch }) {
-  const library = store.engine.libraries.find(({ id }) => id === match.id);
+function Match({
+  store,
+  match,
+  linkTo,
+}: {
+  store: Store;
+  match: LibraryMatch;
+  linkTo: (id: string) => string;
+}) {
+  const library = libraryWith(store.engine, match.id);
   if (library === undefined) return null;
-  const state = store.state.value;
   return (
     <li>
-      <a href={`#${toFragment({ ...state, view: "libraries", library: library.id })}`}>
-        {library.name}
-      </a>{" "}
+      <a href={linkTo(library.id)}>{library.name}</a>{" "}
       <span class="match-version">
-        {library.version} · {knownOf(library)}
+        {library.version}, {knownWords[library.known][0]}
       </span>
       {match.unestablished.length > 0 && (
         <span class="match-open">
-          not established: {listed(match.unestablished.map((choice) => choiceWords[choice].about))}
+          {notEstablished}: {listed(match.unestablished.map((choice) => choiceWords[choice].about))}
         </span>
       )}
     </li>
   );
-}
-
-function knownOf({ known }: Library): string {
-  return knownWords[known];
 }

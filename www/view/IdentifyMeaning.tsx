@@ -2,14 +2,14 @@
 import type { ComponentChildren } from "preact";
 import type { CosineMatrix, Direction, Handedness, IdentifyReport, Side } from "../engine.ts";
 import {
-  directionWords,
-  familyOf,
-  familyWords,
+  familySays,
   listed,
+  settledFamily,
   settledValue,
   sideWords,
   wordsOfValue,
 } from "./identify_words.ts";
+import { familyWords, takesWords } from "./library_words.ts";
 import { axisWords, operatorOf } from "./words.ts";
 
 export function Meaning({ report, name }: { report: IdentifyReport; name: string }) {
@@ -27,9 +27,7 @@ export function Meaning({ report, name }: { report: IdentifyReport; name: string
 /** The library between Hamilton and JPL, side by side. */
 function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
   const { handedness, rotate, firstToAct } = report.remaining;
-  const [product] = handedness.length === 1 ? handedness : [];
-  const [rotates] = rotate.length === 1 ? rotate : [];
-  const family = product && rotates && familyWords[familyOf(product, rotates)];
+  const family = settledFamily(report.remaining);
   const products = (value: Handedness) => <Value choice="handedness" value={value} />;
   const rotations = (value: CosineMatrix) => <Value choice="rotate" value={value} />;
   const rows: { name: string; cells: ComponentChildren[] }[] = [
@@ -77,7 +75,7 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
       <p class="relatives-says">
         {family ? (
           <>
-            <strong>{family.name}.</strong> {family.says}
+            <strong>{capital(familyWords[family][0])}.</strong> {familySays[family]}
           </>
         ) : (
           "Open until the product and the rotation are settled."
@@ -89,6 +87,8 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
 }
 
 const operand = (side: Side) => <span>{side === "left" ? "a, the left" : "b, the right"}</span>;
+
+const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 /** One value, or both with `or` between them. */
 function alternatives(cells: ComponentChildren): ComponentChildren {
@@ -123,7 +123,7 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
         {direction.length === 1 && direction[0] ? (
           <>
             For the attitude of a body the call that rotates takes{" "}
-            <strong>{directionWords[direction[0]]}</strong>.
+            <strong>{takesWords[direction[0]]}</strong>.
           </>
         ) : (
           "Which coordinates to which it takes depends on how an attitude is written: a body turned by a quarter tells."
@@ -137,8 +137,8 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
             </>
           ) : (
             <>
-              Its matrix is the transpose of what rotates: it is for <strong>row vectors</strong>, x
-              M, or it is the inverse.
+              Its matrix is the transpose of what rotates: it is for <strong>row vectors</strong>,
+              x M, or it is the inverse.
             </>
           )}
         </li>
@@ -159,7 +159,7 @@ function LabelWords({ report: { labels, remaining } }: { report: IdentifyReport 
       <dl class="labels">
         {remaining.direction.map((direction) => (
           <div key={direction}>
-            <dt>{directionWords[direction]}</dt>
+            <dt>{takesWords[direction]}</dt>
             <dd>
               {listed(
                 labels.filter((label) => operatorOf(label) === direction).map(labelWords),

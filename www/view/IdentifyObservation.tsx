@@ -77,10 +77,7 @@ export function Observation({
         {isFalse && <span class="badge">contradicts {listed(contradicts.map(numberOf))}</span>}
         {button}
       </header>
-      <p class="observation-asks">
-        {lead && <strong>{lead} </strong>}
-        {asks}
-      </p>
+      <p class="observation-asks">{asks}</p>
       {code !== undefined && (
         <div class="code-line">
           <pre>
@@ -97,7 +94,7 @@ export function Observation({
         )}
       </div>
       <div class="told" id={`${id}-told`}>
-        <Told report={report} />
+        <Told report={report} before={lead} />
       </div>
     </li>
   );
@@ -207,11 +204,17 @@ function Layout({
 const rounded = 1e-6;
 
 /** What an observation tells, or why it tells nothing. */
-function Told({ report }: { report: ObservationReport | undefined }) {
+function Told({
+  report,
+  before = "Not answered yet.",
+}: {
+  report: ObservationReport | undefined;
+  before?: string | undefined;
+}) {
   switch (report?.status) {
     case undefined:
     case "empty":
-      return <p>Not answered yet.</p>;
+      return <p>{before}</p>;
     case "problem": {
       const { message, expected, hint } = report.problem;
       return (

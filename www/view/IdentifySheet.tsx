@@ -53,9 +53,8 @@ export function Sheet({
         <h2 id="sheet-name">What it printed</h2>
         {isExample && <span class="badge">an example</span>}
         <p>
-          Put the names of your library into these lines, run them, and enter what they print. Four
-          numbers stand as the library takes and prints them; with names, <code>w: 1, x: 0, …</code>
-          , their order is no question.
+          Put the names of your library into these lines, run them, and enter what they print; Enter goes on. Four numbers stand as the library takes and prints them; with names, <code>w: 1, x: 0, …</code>
+          , their order is no question. Rounded numbers, single precision and −q for q are fine.
         </p>
       </header>
       <ol class="observations">
@@ -150,13 +149,17 @@ function NoQuestion({ store, answer: { report } }: { store: Store; answer: Answe
 
 /** What the visitor cannot run, and how to take that back. */
 function Unavailable({ store }: { store: Store }) {
-  const { unavailable } = store.state.value;
+  const { observations, unavailable } = store.state.value;
   if (unavailable.length === 0) return null;
+  const askAgain = () => {
+    store.set({ unavailable: [] });
+    focusSoon(printedId(observations.length));
+  };
   return (
     <p class="unavailable">
       Not asked, because you cannot run it:{" "}
       {listed(unavailable.map((kind) => probeWords[kind].name))}.{" "}
-      <button type="button" class="quiet" onClick={() => store.set({ unavailable: [] })}>
+      <button type="button" class="quiet" onClick={askAgain}>
         Ask again
       </button>
     </p>

@@ -6,16 +6,16 @@ import type {
   ComponentOrder,
   ComponentSign,
   CosineMatrix,
-  Direction,
   Family,
   Handedness,
-  Known,
   Language,
   Perturbation,
   ProbeKind,
   Remaining,
   Side,
 } from "../engine.ts";
+import { languageNames, productWords } from "./library_words.ts";
+import { lettersOf } from "./words.ts";
 
 /** What each probe is called and asks. */
 export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
@@ -53,17 +53,9 @@ export const kinds = [
 ] satisfies ProbeKind[];
 
 /** Languages of code lines; a message has none of its own. */
-export const languageNames: Record<Exclude<Language, "message">, string> = {
-  python: "Python",
-  cpp: "C++",
-  c: "C",
-  rust: "Rust",
-  javascript: "JavaScript",
-  java: "Java",
-  csharp: "C#",
-  swift: "Swift",
-  matlab: "MATLAB",
-};
+export const codeLanguages = (Object.keys(languageNames) as Language[]).filter(
+  (language) => language !== "message",
+);
 
 interface Values {
   constructor: ComponentOrder;
@@ -89,9 +81,12 @@ interface ChoiceWords<Value extends string> {
   values: readonly [ValueWords & { value: Value }, ValueWords & { value: Value }];
 }
 
+/** In one line. */
+const unbroken = (text: string) => text.replaceAll(" ", "\u00a0");
+
 const orders = [
-  { value: "scalar-first", words: "w x y z" },
-  { value: "scalar-last", words: "x y z w" },
+  { value: "scalar-first", words: lettersOf["scalar-first"] },
+  { value: "scalar-last", words: lettersOf["scalar-last"] },
 ] as const;
 
 export const choiceWords: { [Choice in BehaviourAxis]: ChoiceWords<Values[Choice]> } = {
@@ -101,8 +96,8 @@ export const choiceWords: { [Choice in BehaviourAxis]: ChoiceWords<Values[Choice
     name: "Product",
     about: "the product",
     values: [
-      { value: "right", words: "Hamilton, ij = k", preset: "hamilton" },
-      { value: "left", words: "Shuster, ij = −k", preset: "jpl" },
+      { value: "right", words: `Hamilton, ${unbroken(productWords.right)}`, preset: "hamilton" },
+      { value: "left", words: `Shuster, ${unbroken(productWords.left)}`, preset: "jpl" },
     ],
   },
   rotate: {
@@ -168,40 +163,21 @@ export const sideWords: Record<Side, string> = {
   right: "the right operand b",
 };
 
-export const directionWords: Record<Direction, string> = {
-  "body-to-world": "body coordinates to world coordinates",
-  "world-to-body": "world coordinates to body coordinates",
-};
-
-/** Product and rotation make the family, as the core names it. */
-export function familyOf(product: Handedness, rotate: CosineMatrix): Family {
-  if (product === "right") return rotate === "R" ? "hamilton" : "transposed-matrix";
-  return rotate === "C" ? "shuster" : "reversed-product";
+/** What product and rotation make together, once both are settled. */
+export function settledFamily({ handedness, rotate }: Remaining): Family | undefined {
+  if (handedness.length !== 1 || rotate.length !== 1) return undefined;
+  if (handedness[0] === "right") return rotate[0] === "R" ? "hamilton" : "transposed-matrix";
+  return rotate[0] === "C" ? "shuster" : "reversed-product";
 }
 
-export const familyWords: Record<Family, { name: string; says: string }> = {
-  hamilton: {
-    name: "Hamilton",
-    says: "Product and rotation are those of Hamilton. The matrix of a * b is R(a) R(b).",
-  },
-  shuster: {
-    name: "JPL (Shuster)",
-    says: "Product and rotation are those of JPL. The matrix of a * b is C(a) C(b).",
-  },
-  "reversed-product": {
-    name: "Not JPL, although ij = −k",
-    says: "JPL rotates by C(q); this library rotates by R(q), as Hamilton does. Its a * b is Hamilton's b * a, as row vectors want it: x C(a) C(b).",
-  },
-  "transposed-matrix": {
-    name: "Not Hamilton, although ij = k",
-    says: "Hamilton rotates by R(q); this library rotates by C(q), as JPL does. The matrix of a * b is C(b) C(a).",
-  },
-};
-
-export const knownWords: Record<Known, string> = {
-  run: "run",
-  read: "read in the source",
-  documented: "documented",
+/** What the family of a library means beside Hamilton and JPL. */
+export const familySays: Record<Family, string> = {
+  hamilton: "Product and rotation are those of Hamilton. The matrix of a * b is R(a) R(b).",
+  shuster: "Product and rotation are those of JPL. The matrix of a * b is C(a) C(b).",
+  "reversed-product":
+    "JPL rotates by C(q); this library rotates by R(q), as Hamilton does. Its a * b is Hamilton's b * a, as row vectors want it: x C(a) C(b).",
+  "transposed-matrix":
+    "Hamilton rotates by R(q); this library rotates by C(q), as JPL does. The matrix of a * b is C(b) C(a).",
 };
 
 /** What to look at when two observations disagree about a choice. */

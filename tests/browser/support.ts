@@ -49,9 +49,21 @@ export async function typeOver(page: Page, text: string) {
   await page.keyboard.type(text);
 }
 
+/** Opens every part of the page that can be. */
+export function openEverything(page: Page) {
+  return page.evaluate(() => {
+    for (const details of document.querySelectorAll("details")) details.open = true;
+  });
+}
+
+/** How much wider than the window the page is. */
+export function sidewaysScroll(page: Page) {
+  return page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+}
+
 /** The violations that axe finds, with every part of the page open. */
 export async function violationsOf(page: Page) {
-  for (const summary of await page.locator("summary").all()) await summary.click();
+  await openEverything(page);
   const { violations } = await new AxeBuilder({ page }).analyze();
   return violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]);
 }

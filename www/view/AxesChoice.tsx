@@ -32,7 +32,7 @@ export function AxesChoice({ store }: { store: Store }) {
           {sides.map(({ name, field, side, other, otherSide }) => (
             <fieldset key={name} class="axes-side" aria-label={`Axes of the ${side}`}>
               <div class="axes-side-head">
-                <h3>Axes of the {side}</h3>
+                <p class="axes-side-name">Axes of the {side}</p>
                 <button
                   type="button"
                   class="quiet"

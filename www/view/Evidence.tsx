@@ -3,7 +3,6 @@ import { useEffect, useState } from "preact/hooks";
 import type { Library } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import { type Evidence, evidenceOf, type Observed } from "../observations.ts";
-import type { Store } from "../state.ts";
 
 const names: Record<string, string> = {
   arrayOfA: "a as an array",
@@ -35,7 +34,7 @@ const names: Record<string, string> = {
   other: "besides",
 };
 
-export function EvidenceOf({ library, store }: { library: Library; store: Store }) {
+export function EvidenceOf({ library }: { library: Library }) {
   const [evidence, setEvidence] = useState<Evidence | "none" | "failed" | undefined>(undefined);
   useEffect(() => {
     let isWanted = true;
@@ -55,20 +54,19 @@ export function EvidenceOf({ library, store }: { library: Library; store: Store 
       {evidence === "failed" && (
         <p class="absent">The recorded numbers could not be loaded: reload the page.</p>
       )}
-      {typeof evidence === "object" && <Printed evidence={evidence} store={store} />}
+      {typeof evidence === "object" && <Printed evidence={evidence} />}
     </details>
   );
 }
 
-function Printed({ evidence, store }: { evidence: Evidence; store: Store }) {
-  const { digits } = store.state.value;
+function Printed({ evidence }: { evidence: Evidence }) {
   const { a, b, v } = evidence.inputs;
   return (
     <>
       <p>
         Quaternions by name as w x y z, whatever the order of the library, but for the array. In:{" "}
-        <var>a</var> = <code>{written(a, digits)}</code>, <var>b</var> ={" "}
-        <code>{written(b, digits)}</code>, <var>v</var> = <code>{written(v, digits)}</code>.
+        <var>a</var> = <code>{written(a)}</code>, <var>b</var> = <code>{written(b)}</code>,{" "}
+        <var>v</var> = <code>{written(v)}</code>.
       </p>
       <dl class="printed">
         {Object.entries(names).flatMap(([name, words]) => {
@@ -79,7 +77,7 @@ function Printed({ evidence, store }: { evidence: Evidence; store: Store }) {
                 <div key={name} class="record-fact">
                   <dt>{words}</dt>
                   <dd>
-                    <pre>{written(value, digits)}</pre>
+                    <pre>{written(value)}</pre>
                   </dd>
                 </div>,
               ];
@@ -89,24 +87,22 @@ function Printed({ evidence, store }: { evidence: Evidence; store: Store }) {
   );
 }
 
-type Digits = Parameters<typeof shown>[1];
-
 /** Numbers in brackets, one list a line. */
-function written(value: Observed | undefined, digits: Digits): string {
+function written(value: Observed | undefined): string {
   if (value === undefined) return "";
-  if (typeof value === "number") return shown(value, digits);
+  if (typeof value === "number") return shown(value, "all");
   if (typeof value === "string") return value;
   if (isList(value)) {
-    if (value.every((part) => typeof part === "number")) return shownArray(value, digits);
+    if (value.every((part) => typeof part === "number")) return shownArray(value, "all");
     if (value.every((part) => typeof part !== "object")) {
-      return `[${value.map((part) => written(part, digits)).join(", ")}]`;
+      return `[${value.map((part) => written(part)).join(", ")}]`;
     }
-    return value.map((part) => written(part, digits)).join("\n");
+    return value.map((part) => written(part)).join("\n");
   }
   const { call, out } = value;
-  if (call !== undefined) return `${call}:\n${written(out, digits)}`;
+  if (call !== undefined) return `${call}:\n${written(out)}`;
   return Object.entries(value)
-    .map(([name, part]) => `${name}:\n${written(part, digits)}`)
+    .map(([name, part]) => `${name}:\n${written(part)}`)
     .join("\n");
 }
 

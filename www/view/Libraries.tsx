@@ -21,14 +21,15 @@ import { lettersOf } from "./words.ts";
 
 const columns = [
   "Library",
-  "Version, how it is known",
+  "Version",
+  "Known",
   "Array",
   "Constructor",
   "Product",
   "Rotates by",
   "Matrix as printed",
   "a * b: first",
-  "So it is",
+  "In short",
 ] as const;
 
 export function Libraries({ store }: { store: Store }) {
@@ -56,7 +57,8 @@ export function Libraries({ store }: { store: Store }) {
         <p class="library-intro">
           {counted(matching, libraries)} <strong>R</strong> is the matrix of Hamilton's active
           rotation, <var>R</var>(<var>q</var>) <var>v</var> = <var>q</var> <var>v</var> <var>q</var>
-          *, and <strong>C</strong> its transpose. A dash means {notEstablished}.
+          *, and <strong>C</strong> its transpose. Where no call of a library rotates a vector, what
+          acts first follows from its matrix. A dash means {notEstablished}.
         </p>
       </section>
       <div class="result current">
@@ -133,7 +135,7 @@ function GroupRows({
     <tbody>
       <tr class="library-group">
         <th scope="rowgroup" colSpan={columns.length}>
-          {groupNames[group]}
+          <h2>{groupNames[group]}</h2>
         </th>
       </tr>
       {libraries.flatMap((library) => {
@@ -154,17 +156,18 @@ function GroupRows({
 }
 
 function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; store: Store }) {
-  const { action, family, first } = establishedOf(store.engine.endOf(library.id));
+  const { family, first } = establishedOf(store.engine.endOf(library.id));
   const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
   const { array, handedness, matrix, vectors } = library;
   const constructed = library.constructor && lettersOf[library.constructor];
   const isOther = ordersOf(library).length === 2;
   const cells = [
-    `${library.version}, ${knownWords[library.known][0]}`,
+    library.version,
+    knownWords[library.known][0],
     array && lettersOf[array],
     isOther ? <strong>{constructed}</strong> : constructed,
     handedness && productWords[handedness],
-    action && `${action}(q)`,
+    library.rotate && `${library.rotate}(q)`,
     matrix && `${matrix}(q)${vectors === undefined ? "" : vectors === "row" ? ", v M" : ", M v"}`,
     first && (first === "right" ? "b" : "a"),
     family && <span class={`family ${accentOf(family)}`}>{familyWords[family][0]}</span>,

@@ -97,7 +97,7 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
           </dl>
         </div>
       </div>
-      {library.known === "run" && <EvidenceOf key={library.id} library={library} store={store} />}
+      {library.known === "run" && <EvidenceOf key={library.id} library={library} />}
     </article>
   );
 }

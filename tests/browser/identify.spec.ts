@@ -196,9 +196,9 @@ test("every probe can be added, changed and removed", async ({ page }) => {
 
 test("the code of a question follows the language", async ({ page }) => {
   await page.goto("/#identify?name=&probe=");
-  await expect(page.locator(".code-line code")).toHaveText(/^print\(Quaternion/);
+  await expect(page.locator(".probe-code code")).toHaveText(/^print\(Quaternion/);
   await page.getByRole("combobox", { name: "Code in" }).selectOption("C++");
-  await expect(page.locator(".code-line code")).toHaveText(/^std::cout/);
+  await expect(page.locator(".probe-code code")).toHaveText(/^std::cout/);
   await expect(page).toHaveURL(/language=cpp/);
 });
 

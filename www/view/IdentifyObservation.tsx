@@ -79,7 +79,7 @@ export function Observation({
       </header>
       <p class="observation-asks">{asks}</p>
       {code !== undefined && (
-        <div class="code-line">
+        <div class="probe-code">
           <pre>
             <code>{code}</code>
           </pre>

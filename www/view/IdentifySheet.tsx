@@ -53,8 +53,10 @@ export function Sheet({
         <h2 id="sheet-name">What it printed</h2>
         {isExample && <span class="badge">an example</span>}
         <p>
-          Put the names of your library into these lines, run them, and enter what they print; Enter goes on. Four numbers stand as the library takes and prints them; with names, <code>w: 1, x: 0, …</code>
-          , their order is no question. Rounded numbers, single precision and −q for q are fine.
+          Put the names of your library into these lines, run them, and enter what they print; Enter
+          goes on. Four numbers stand as the library takes and prints them; with names,{" "}
+          <code>w: 1, x: 0, …</code>, their order is no question. Rounded numbers, single precision
+          and −q for q are fine.
         </p>
       </header>
       <ol class="observations">

@@ -6,6 +6,7 @@ import { createStore, type Store } from "./state.ts";
 import "./style.css";
 import "./view/identify.css";
 import "./view/libraries.css";
+import "./view/picker.css";
 import "./view/translate.css";
 import { Page } from "./view/Page.tsx";
 

@@ -11,6 +11,7 @@ import {
 
 test("opens on the whole table, with how each record is known", async ({ page }) => {
   await page.goto("/#libraries");
+  await expect(page.locator(".library-row").first()).toBeVisible();
   expect(await page.locator(".library-row").count()).toBeGreaterThanOrEqual(60);
   const row = page.getByRole("row", { name: /^DirectXMath/ });
   // Shuster's product and R(q): not JPL, and the left operand acts first.
@@ -87,6 +88,7 @@ test("a record leads to its translation and back", async ({ page }) => {
 
 test("every record can be opened", async ({ page }) => {
   await page.goto("/#libraries");
+  await expect(page.locator(".library-row").first()).toBeVisible();
   const links = await page.locator(".library-row a").all();
   const hrefs = await Promise.all(links.map((link) => link.getAttribute("href")));
   for (const href of hrefs) {
@@ -110,7 +112,8 @@ test("hostile addresses give the table", async ({ page }) => {
 for (const colorScheme of ["light", "dark"] as const) {
   test(`no accessibility violation with a record open: ${colorScheme}`, async ({ page }) => {
     await page.emulateMedia({ colorScheme });
-    await page.goto("/#libraries?library=maplab");
+    await page.goto("/#libraries?library=maplab&find=jpl");
+    await expect(page.locator(".record")).toBeVisible();
     await openEverything(page);
     await expect(page.locator(".printed")).toBeVisible();
     expect(await violationsOf(page)).toEqual([]);

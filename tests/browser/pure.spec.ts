@@ -1,6 +1,8 @@
 // The pure functions of the page: the address and the number formats.
 import { expect, test } from "@playwright/test";
 import { fromFragment, opening, type PageState, toFragment } from "../../www/address.ts";
+import { axisPresets, axisPresetWords, inverseAxes } from "../../www/axis_texts.ts";
+import type { AxisMapping } from "../../www/engine.ts";
 import { alignedRows, exactArray, shown, shownArray, shownAxis } from "../../www/format.ts";
 
 const jpl = {
@@ -73,6 +75,23 @@ test("an address with ten thousand observations is cut, and a library that is no
   expect(fromFragment(`#identify?${probes}`).observations).toHaveLength(16);
   const state = fromFragment("#translate?from=nowhere&to=:1,2&library=nowhere", () => false);
   expect(state).toEqual({ ...opening, view: "translate" });
+});
+
+test("the text of a change of axes is turned back", () => {
+  // New x is old z, new y is the opposite of old x, new z is old y.
+  const mapping: AxisMapping = {
+    axes: [
+      { axis: "z", sense: "along" },
+      { axis: "x", sense: "against" },
+      { axis: "y", sense: "along" },
+    ],
+  };
+  expect(inverseAxes("z -x y", mapping)).toBe("-y z x");
+  expect(inverseAxes("ROS to OpenCV", mapping)).toBe("OpenCV to ROS");
+  expect(inverseAxes("NED -> ENU", mapping)).toBe("ENU to NED");
+  expect(inverseAxes("", undefined)).toBe("");
+  expect(inverseAxes("oops", undefined)).toBe("oops");
+  expect(Object.keys(axisPresetWords)).toEqual([...axisPresets]);
 });
 
 test("a fragment that says nonsense gives the opening state", () => {

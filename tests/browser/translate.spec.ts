@@ -279,6 +279,10 @@ for (const colorScheme of ["light", "dark"] as const) {
     await page.goto("/#translate?from=:jpl&to=unity&world=ROS+to+Unity&body=ROS+to+Unity");
     await page.getByRole("combobox", { name: "To", exact: true }).press("ArrowDown");
     expect(await violationsOf(page)).toEqual([]);
+  });
+
+  test(`no accessibility violation beside a problem: ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
     await page.goto("/#translate?world=ROS+to+Unity");
     await expect(page.locator(".problem")).toBeVisible();
     expect(await violationsOf(page)).toEqual([]);
@@ -303,6 +307,7 @@ for (const width of [360, 768, 1280]) {
 
 test("every library can be an end, in both directions", async ({ page }) => {
   await page.goto("/#libraries");
+  await expect(page.locator(".library-row").first()).toBeVisible();
   const links = await page.locator(".library-row a").all();
   const ids = await Promise.all(links.map((link) => link.getAttribute("href")));
   expect(ids.length).toBeGreaterThan(90);

@@ -113,12 +113,23 @@ function bringIntoView(id: string) {
 
 function counted(matching: readonly Library[], all: readonly Library[]): string {
   const of = (known: Known) => matching.filter((library) => library.known === known).length;
+  const parts = (["run", "read", "documented"] as const)
+    .map((known) => [of(known), countWords[known]] as const)
+    .filter(([count]) => count > 0)
+    .map(([count, words]) => `${count} ${words}`);
   const total =
     matching.length === all.length
       ? `${all.length} records`
       : `${matching.length} of ${all.length}`;
-  return `${total}: ${of("run")} were run, of ${of("read")} the source was read, ${of("documented")} are only documented.`;
+  return parts.length === 0 ? `${total}.` : `${total}: ${parts.join(", ")}.`;
 }
+
+/** What is said after a number of records. */
+const countWords: Record<Known, string> = {
+  run: "run",
+  read: "known from the source",
+  documented: "only from the documentation",
+};
 
 function GroupRows({
   group,

@@ -11,6 +11,7 @@ import {
   halfTurnWords,
   knownWords,
   languageNames,
+  listed,
   nonUnitWords,
   notEstablished,
   signWords,
@@ -119,24 +120,6 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
   );
 }
 
-/** `constructor: kept, matrix: normalised`. */
-function listed<Result extends string>(
-  results: { [what: string]: Result | undefined } | object | undefined,
-  words: Record<Result, string>,
-): string {
-  return Object.entries((results ?? {}) as Record<string, Result | undefined>)
-    .flatMap(([what, result]) => (result === undefined ? [] : [`${whats[what]} ${words[result]}`]))
-    .join(", ");
-}
-
-const whats: Record<string, string> = {
-  construct: "constructor:",
-  matrix: "matrix:",
-  rotate: "rotated vector:",
-  normalize: "normalised:",
-  inverse: "inverse:",
-};
-
 const codeNames: Record<keyof Code, string> = {
   construct: "construct",
   rotate: "rotate v",
@@ -149,7 +132,7 @@ const codeNames: Record<keyof Code, string> = {
 function CodeOf({ code }: { code: Code | undefined }) {
   const lines = (Object.keys(codeNames) as (keyof Code)[]).flatMap((name) => {
     const line = code?.[name];
-    return line === undefined ? [] : [{ name, line: line.replace(/\{([wxyz])\}/g, "$1") }];
+    return line === undefined ? [] : [{ name, line: line.replace(/\{([wxyz])\}f?/g, "$1") }];
   });
   if (lines.length === 0) return <p class="none">{notEstablished}</p>;
   return (

@@ -210,6 +210,7 @@ function Result({
             side={side}
             name={names[side]}
             end={report[side]}
+            isUnit={report.notes.every(({ fact }) => fact.kind !== "normalised")}
             engine={store.engine}
             digits={digits}
           />

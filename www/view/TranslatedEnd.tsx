@@ -8,6 +8,8 @@ import {
   knownWords,
   languageNames,
   libraryWith,
+  listed,
+  nonUnitWords,
   notEstablished,
   productWords,
   takesWords,
@@ -21,12 +23,15 @@ export function EndColumn({
   side,
   name,
   end,
+  isUnit,
   engine,
   digits,
 }: {
   side: "from" | "to";
   name: string;
   end: TranslatedEnd;
+  /** Whether the numbers have norm 1. */
+  isUnit: boolean;
   engine: Engine;
   digits: Digits;
 }) {
@@ -105,7 +110,13 @@ export function EndColumn({
             </>
           )}
         </WordRow>
+        {library && !isUnit && (
+          <WordRow symbol="norm not 1">
+            {listed(library.nonUnit, nonUnitWords) || `what it makes of it is ${notEstablished}`}
+          </WordRow>
+        )}
       </div>
+      {library?.note !== undefined && <p class="end-note">{library.note}</p>}
     </section>
   );
 }

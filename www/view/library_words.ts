@@ -67,15 +67,15 @@ export const takesWords: Record<Direction, string> = {
 
 /** How product and rotation belong together: in a few words, and what follows from it. */
 export const familyWords: Record<Family, [string, string]> = {
-  hamilton: ["Hamilton", "the Hamilton product with R(q), as the label says"],
-  shuster: ["JPL (Shuster)", "the Shuster product with C(q), as the label JPL says"],
+  hamilton: ["Hamilton", "ij = k with R(q), as the label says"],
+  shuster: ["JPL (Shuster)", "ij = −k with C(q), as the label JPL says"],
   "reversed-product": [
     "not JPL: Shuster product, but R(q)",
-    "the Shuster product, as in JPL, but it rotates by R(q), as in Hamilton: a product written the other way round",
+    "ij = −k, and yet it rotates as Hamilton's does: the operands stand the other way round",
   ],
   "transposed-matrix": [
     "not Hamilton: Hamilton product, but C(q)",
-    "the Hamilton product, but it acts by C(q), as in JPL: the matrices multiply the other way round",
+    "ij = k, and yet it acts as JPL's does: the operands stand the other way round",
   ],
 };
 
@@ -164,3 +164,21 @@ export function aboutLibrary(library: Library, engine: Engine): string {
   const known = `${library.version}, ${knownWords[library.known][0]}`;
   return behaviour.length === 0 ? known : `${behaviour.join(", ")} · ${known}`;
 }
+
+/** `constructor: kept, matrix: normalised`; empty where nothing is established. */
+export function listed<Result extends string>(
+  results: object | undefined,
+  words: Record<Result, string>,
+): string {
+  return Object.entries((results ?? {}) as Record<string, Result | undefined>)
+    .flatMap(([what, result]) => (result === undefined ? [] : [`${whats[what]} ${words[result]}`]))
+    .join(", ");
+}
+
+const whats: Record<string, string> = {
+  construct: "constructor:",
+  matrix: "matrix:",
+  rotate: "rotated vector:",
+  normalize: "normalised:",
+  inverse: "inverse:",
+};

@@ -139,6 +139,12 @@ impl Attitude {
         }
     }
 
+    /// Whether the text is a call whose order is not known here, so that the declared one was used.
+    pub(crate) fn is_of_unknown_constructor(&self) -> bool {
+        let parsed = self.parsed.as_ref();
+        parsed.is_some_and(|parsed| parsed.unknown_constructor.is_some())
+    }
+
     /// The norm as typed, where a double can hold it.
     fn norm(&self) -> Option<f64> {
         let norm = self.tagged.norm();

@@ -272,7 +272,7 @@ impl FromStr for AxisMapping {
     /// # Ok::<(), quatlas::UnknownAxes>(())
     /// ```
     fn from_str(text: &str) -> Result<Self, UnknownAxes> {
-        let lower = text.trim().to_lowercase().replace('\u{2212}', "-");
+        let lower = text.trim().to_ascii_lowercase().replace('\u{2212}', "-");
         if matches!(lower.as_str(), "" | "none" | "same") {
             return Ok(Self::NONE);
         }
@@ -302,9 +302,11 @@ fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
     let unknown = || UnknownAxes {
         message: format!("{} names no axes", shorten(name.trim(), QUOTED_CHARACTERS)),
     };
-    let trimmed = name.trim().to_lowercase();
+    let trimmed = name.trim().to_ascii_lowercase();
     let named = NAMED_AXES.iter().find(|(known, _)| *known == trimmed);
-    let letters = named.map_or(trimmed.to_uppercase(), |(_, letters)| (*letters).to_owned());
+    let letters = named.map_or(trimmed.to_ascii_uppercase(), |(_, letters)| {
+        (*letters).to_owned()
+    });
     let letters: [char; 3] = letters
         .chars()
         .collect::<Vec<_>>()

@@ -6,9 +6,9 @@
 use crate::behaviour::{Behaviour, BehaviourAxis};
 use crate::convention::{Direction, Function};
 use crate::library::libraries;
-use crate::observation::{Printed, Question, print_the_same};
+use crate::observation::{Printed, Question};
 use crate::observe::{printed, question, rounding};
-use crate::probe::{MatrixLayout, Probe};
+use crate::probe::{MatrixLayout, Probe, ProbeKind};
 use crate::probe_code::code;
 use crate::report::{
     Contradiction, IdentifyReport, Labels, LibraryMatch, NextProbe, ObservationProblem,
@@ -44,12 +44,19 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         .collect();
     let possible = agreeing(&told);
     let left = remaining(&possible);
+    let told_kinds: Vec<ProbeKind> = told
+        .iter()
+        .map(|(at, _)| request.observations[*at].kind())
+        .collect();
+    // A kind that was told already is asked again only where no other can tell more.
+    let next =
+        next_probe(request, &possible, &told_kinds).or_else(|| next_probe(request, &possible, &[]));
     IdentifyReport {
+        next,
         possible: possible.len(),
         settled: left.settled(),
         labels: labels(&left.direction),
         libraries: matches(&possible),
-        next: next_probe(request, &possible),
         contradiction: contradiction(&told),
         sentence: sentence(&request.name, &left),
         remaining: left,
@@ -251,25 +258,22 @@ fn standard_probes() -> [Probe; 7] {
     ]
 }
 
-fn next_probe(request: &IdentifyRequest, possible: &[Behaviour]) -> Option<NextProbe> {
+/// The best of the standard probes, but for those of some kinds.
+fn next_probe(
+    request: &IdentifyRequest,
+    possible: &[Behaviour],
+    without: &[ProbeKind],
+) -> Option<NextProbe> {
     let mut best: Option<((f64, f64), Probe, usize)> = None;
     for probe in standard_probes() {
-        if request.unavailable.contains(&probe.kind()) {
+        let kind = probe.kind();
+        if request.unavailable.contains(&kind) || without.contains(&kind) {
             continue;
         }
         let Ok(question) = question(&probe) else {
             continue;
         };
-        let mut answers: Vec<Vec<Behaviour>> = Vec::new();
-        for behaviour in possible {
-            match answers
-                .iter_mut()
-                .find(|same| print_the_same(&question, &same[0], behaviour))
-            {
-                Some(same) => same.push(*behaviour),
-                None => answers.push(vec![*behaviour]),
-            }
-        }
+        let answers = question.groups(possible);
         if answers.len() < 2 {
             continue;
         }

@@ -231,6 +231,9 @@ mod attitude;
 // Two quaternions together.
 mod compose;
 
+// A library's line of code, with numbers.
+mod template;
+
 // From one end of a translation to the other.
 mod translate;
 

@@ -184,15 +184,26 @@ impl Answer {
     }
 }
 
-/// Whether two behaviours cannot be told apart by this question.
-pub(crate) fn print_the_same(question: &Question, one: &Behaviour, other: &Behaviour) -> bool {
-    let mut expected = question.answers(other).into_iter();
-    question.answers(one).iter().all(|answer| {
-        let printed = answer.printed(one.array);
-        expected
-            .next()
-            .is_some_and(|expected| expected.distance(&printed, other.array) < SAME)
-    })
+impl Question {
+    /// Behaviours in groups that this question cannot tell apart.
+    pub(crate) fn groups(&self, behaviours: &[Behaviour]) -> Vec<Vec<Behaviour>> {
+        let mut groups: Vec<(Vec<Printed>, Vec<Behaviour>)> = Vec::new();
+        for behaviour in behaviours {
+            let answers = self.answers(behaviour);
+            let is_same = |printed: &[Printed]| {
+                let mut pairs = answers.iter().zip(printed);
+                pairs.all(|(answer, printed)| answer.distance(printed, behaviour.array) < SAME)
+            };
+            match groups.iter_mut().find(|(printed, _)| is_same(printed)) {
+                Some((_, group)) => group.push(*behaviour),
+                None => {
+                    let printed = answers.iter().map(|answer| answer.printed(behaviour.array));
+                    groups.push((printed.collect(), vec![*behaviour]));
+                }
+            }
+        }
+        groups.into_iter().map(|(_, group)| group).collect()
+    }
 }
 
 /// The distance of two lists of numbers after each was divided by its norm.

@@ -1,11 +1,12 @@
 //! What is settled of a library, as a sentence for an issue.
 
 use crate::convention::{ComponentOrder, Direction, Handedness, Perturbation};
+use crate::library::{Family, family};
 use crate::perturbation::Side;
 use crate::report::Remaining;
 use crate::rotation_matrix::CosineMatrix;
 
-/// One sentence of what is settled, and one of what is not.
+/// One sentence of what is settled, one of what that is called, and one of what is not settled.
 pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
     let name = match name.trim() {
         "" => "The library",
@@ -59,11 +60,14 @@ pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
         return format!("The observations of {name} contradict each other.");
     }
     if !clauses.is_empty() {
-        sentences.push(format!("{name} {}.", joined(&clauses, "and")));
+        sentences.push(format!("{name} {}.", joined(&clauses)));
+    }
+    if let (Some(hand), Some(action)) = (only(&left.handedness), only(&left.rotate)) {
+        sentences.push(conclusion(family(hand, action)).to_owned());
     }
     if !open.is_empty() {
         let open: Vec<String> = open.into_iter().map(str::to_owned).collect();
-        sentences.push(format!("Not settled: {}.", joined(&open, "and")));
+        sentences.push(format!("Not settled: {}.", joined(&open)));
     }
     sentences.join(" ")
 }
@@ -85,7 +89,7 @@ const fn letters(order: ComponentOrder) -> &'static str {
 const fn symbol(form: CosineMatrix) -> &'static str {
     match form {
         CosineMatrix::Hamilton => "R(q)",
-        CosineMatrix::Shuster => "C(q), the transpose of R(q)",
+        CosineMatrix::Shuster => "C(q) = R(q)ᵀ",
     }
 }
 
@@ -95,19 +99,32 @@ fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
         CosineMatrix::Hamilton => "R(q)",
         CosineMatrix::Shuster => "C(q)",
     };
-    match rotate {
-        None => format!("has {symbol} as the matrix of q"),
-        Some(rotate) if rotate == form => {
-            format!("has {symbol} as the matrix of q, for column vectors")
+    let vectors = match rotate {
+        None => "",
+        Some(rotate) if rotate == form => " (for column vectors)",
+        Some(_) => " (for row vectors)",
+    };
+    format!("prints {symbol} as the matrix of q{vectors}")
+}
+
+/// What product and rotation are together.
+const fn conclusion(family: Family) -> &'static str {
+    match family {
+        Family::Hamilton => "That is Hamilton.",
+        Family::Shuster => "That is JPL (Shuster).",
+        Family::ReversedProduct => {
+            "That is not JPL: the product is Shuster's, but the quaternion rotates by R(q)."
         }
-        Some(_) => format!("has {symbol} as the matrix of q, for row vectors"),
+        Family::TransposedMatrix => {
+            "That is not all Hamilton: the product is, but the quaternion rotates by C(q)."
+        }
     }
 }
 
-fn joined(parts: &[String], last: &str) -> String {
+fn joined(parts: &[String]) -> String {
     match parts {
         [] => String::new(),
         [one] => one.clone(),
-        [before @ .., end] => format!("{} {last} {end}", before.join(", ")),
+        [before @ .., end] => format!("{} and {end}", before.join(", ")),
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::attitude::{Attitude, Declared, turn};
 use crate::axis_mapping::{AxesChange, AxisMapping};
-use crate::convention::{ComponentOrder, ComponentSign};
+use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::endpoint::{Endpoint, Meaning};
-use crate::library::{Code, family, first_to_act, libraries};
+use crate::library::{Library, family, first_to_act, libraries};
 use crate::messages::Fault;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::TaggedQuaternion;
@@ -14,6 +14,8 @@ use crate::report::{
 };
 use crate::request::TranslateRequest;
 use crate::rotation::Rotation;
+use crate::template;
+use std::cmp::Reverse;
 
 pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, Vec<Problem>> {
     let ends = (
@@ -29,11 +31,8 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
             return Err(found.into_iter().flatten().collect());
         }
     };
-    let declared = Declared {
-        convention: from.numbers(),
-        matrix: from.matrix_convention(),
-    };
-    let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
+    let pasted = pasted(&request.quaternion);
+    let attitude = attitude(&request.quaternion, &from, pasted);
     let (attitude, world, body) = match (attitude, world, body) {
         (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
         (attitude, world, body) => {
@@ -75,11 +74,49 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
             body: mapped(body),
         }),
         turn: turn(&attitude.rotation),
-        proposed: proposed(&request.quaternion, &from),
+        proposed: pasted
+            .filter(|pasted| from.library.is_none_or(|library| library.id != pasted.id))
+            .map(|pasted| pasted.id.clone()),
         notes: attitude.notes(Field::Quaternion),
         from: end(&from, &typed, &attitude.rotation),
         to: end(&to, &numbers, &rotation),
     })
+}
+
+/// The attitude that a text holds at the first end. Plain numbers stand in the order of the array; the
+/// arguments of a call stand in that of the constructor, which may be another one.
+fn attitude(
+    text: &str,
+    from: &Meaning,
+    pasted: Option<&'static Library>,
+) -> Result<Attitude, Problem> {
+    let declared = |order| Declared {
+        convention: Convention {
+            order,
+            ..from.numbers()
+        },
+        matrix: from.matrix_convention(),
+    };
+    let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
+    let read = in_order(from.order);
+    if read
+        .as_ref()
+        .is_ok_and(|attitude| !attitude.is_of_unknown_constructor())
+    {
+        return read;
+    }
+    // The library's own line, whatever its form, as the other end of a translation shows it.
+    let known = [pasted, from.library].into_iter().flatten();
+    let mut lines = known.filter_map(|library| library.code.construct.as_deref());
+    if let Some(named) = lines.find_map(|line| template::read(line, text)) {
+        return Attitude::of_text(&named, Field::Quaternion, declared(from.order));
+    }
+    let library = pasted.or(from.library);
+    let constructor = library.and_then(|library| library.constructor);
+    match (read, constructor) {
+        (Ok(_), Some(order)) => in_order(order),
+        (read, _) => read,
+    }
 }
 
 fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {
@@ -123,25 +160,13 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
             form: printed.form,
             vectors: printed.vectors,
         }),
-        construct: code.and_then(|code| construct(code, &components)),
+        construct: code
+            .and_then(|code| code.construct.as_deref())
+            .map(|line| template::write(line, &components)),
         usual: code.and_then(|code| code.rotate.clone().or_else(|| code.matrix.clone())),
         assumed: meaning.assumed.clone(),
         components,
     }
-}
-
-/// The line of code that makes a quaternion, each number as the shortest text that reads back.
-fn construct(code: &Code, components: &Components) -> Option<String> {
-    let numbers = [
-        ("{w}", components.w),
-        ("{x}", components.x),
-        ("{y}", components.y),
-        ("{z}", components.z),
-    ];
-    let template = code.construct.clone()?;
-    Some(numbers.iter().fold(template, |line, (place, number)| {
-        line.replace(place, &format!("{number:?}"))
-    }))
 }
 
 fn change_between(from: &Meaning, to: &Meaning) -> Change {
@@ -222,15 +247,17 @@ fn mapped(mapping: AxisMapping) -> MappedAxes {
     }
 }
 
-/// The library whose call stands in the text: by the longest of the fragments that do.
-fn proposed(text: &str, from: &Meaning) -> Option<String> {
+/// The library whose call stands in the text first: by the longest of the fragments that do.
+fn pasted(text: &str) -> Option<&'static Library> {
     let compact = |text: &str| text.split_whitespace().collect::<String>();
     let text = compact(text);
-    let found = libraries()
+    libraries()
         .iter()
         .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
-        .filter(|(_, part)| text.contains(&compact(part)))
-        .max_by_key(|(_, part)| part.len())
-        .map(|(library, _)| library.id.clone());
-    found.filter(|id| from.library.is_none_or(|library| library.id != *id))
+        .filter_map(|(library, part)| {
+            let part = compact(part);
+            Some((text.find(&part)?, Reverse(part.len()), library))
+        })
+        .min_by_key(|(at, length, _)| (*at, *length))
+        .map(|(_, _, library)| library)
 }

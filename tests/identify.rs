@@ -1,23 +1,338 @@
-//! Which convention a library uses, told from what it prints.
+//! Which convention a library uses, told from what it prints: simulated libraries.
 
 mod common;
+#[path = "common/simulated.rs"]
+mod simulated;
 
 use common::wasm_bindgen_test;
 use quatlas::{
-    Behaviour, IdentifyReport, IdentifyRequest, ObservationReport, Outcome, Probe, Request, analyze,
+    Behaviour, BehaviourAxis, ComponentSign, CosineMatrix, Direction, Function, Handedness,
+    IdentifyReport, IdentifyRequest, Labels, MatrixLayout, ObservationReport, Outcome, Probe,
+    ProbeKind, Request, Side, analyze,
 };
+use simulated::{Noise, Simulated, every_probe};
 
-fn identify(observations: Vec<Probe>) -> IdentifyReport {
-    let request = Request::Identify(IdentifyRequest::new(observations));
-    match analyze(&request) {
+fn answer(request: IdentifyRequest) -> IdentifyReport {
+    match analyze(&Request::Identify(request)) {
         Outcome::Identify(report) => *report,
         other => panic!("{other:?}"),
     }
 }
 
+fn identify(observations: Vec<Probe>) -> IdentifyReport {
+    answer(IdentifyRequest::new(observations))
+}
+
+/// Whether nothing but this behaviour is left.
+#[track_caller]
+fn assert_only(report: &IdentifyReport, behaviour: Behaviour) {
+    assert_eq!(report.possible, 1, "{behaviour:?}: {report:#?}");
+    assert_eq!(report.settled, BehaviourAxis::ALL);
+    let left = &report.remaining;
+    assert_eq!(left.constructor, [behaviour.constructor]);
+    assert_eq!(left.array, [behaviour.array]);
+    assert_eq!(left.handedness, [behaviour.handedness]);
+    assert_eq!(left.rotate, [behaviour.rotate]);
+    assert_eq!(left.matrix, [behaviour.matrix]);
+    assert_eq!(left.attitude, [behaviour.attitude]);
+    assert_eq!(left.perturbation, [behaviour.perturbation]);
+    assert_eq!(report.contradiction, None);
+    assert_eq!(report.next, None);
+}
+
 #[wasm_bindgen_test(unsupported = test)]
-fn nothing_observed() {
-    let report = identify(vec![]);
-    assert_eq!(report.possible, 128);
-    eprintln!("{report:#?}");
+fn all_128_behaviours_are_told_from_one_probe_of_each_kind() {
+    let mut count = 0;
+    for behaviour in Behaviour::all() {
+        let mut library = Simulated::new(behaviour, Noise::None, count);
+        let answers = every_probe()
+            .iter()
+            .map(|probe| library.answer(probe))
+            .collect();
+        assert_only(&identify(answers), behaviour);
+        count += 1;
+    }
+    assert_eq!(count, 128);
+}
+
+/// In any order, in single precision, with q and −q, rounded to three decimals.
+#[wasm_bindgen_test(unsupported = test)]
+fn noise_and_signs_and_order_do_not_matter() {
+    for noise in [Noise::Single, Noise::Rounded(4), Noise::Rounded(3)] {
+        for (seed, behaviour) in (0..).zip(Behaviour::all()) {
+            let mut library = Simulated::new(behaviour, noise, seed);
+            let mut answers: Vec<Probe> = every_probe()
+                .iter()
+                .map(|probe| library.answer(probe))
+                .collect();
+            let places = answers.len();
+            answers.rotate_left(usize::try_from(seed).expect("small") % places);
+            assert_only(&identify(answers), behaviour);
+        }
+    }
+}
+
+/// Asks what the tool asks until nothing is left to ask; the number of probes.
+fn follow(
+    library: &mut Simulated,
+    until: impl Fn(&IdentifyReport) -> bool,
+) -> (usize, IdentifyReport) {
+    let mut observations = Vec::new();
+    loop {
+        let report = identify(observations.clone());
+        if until(&report) {
+            return (observations.len(), report);
+        }
+        let next = report.next.expect("something to ask");
+        observations.push(library.answer(&next.probe));
+        assert!(
+            observations.len() <= 4,
+            "{:?}: {observations:#?}",
+            library.behaviour
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_tools_own_questions_tell_all_128_in_four() {
+    for noise in [Noise::None, Noise::Single, Noise::Rounded(2)] {
+        for (seed, behaviour) in (0..).zip(Behaviour::all()) {
+            let mut library = Simulated::new(behaviour, noise, seed);
+            let (probes, report) = follow(&mut library, |report| report.possible == 1);
+            assert_only(&report, behaviour);
+            assert_eq!(
+                probes, 4,
+                "i*j, a rotated vector, a matrix, a perturbed quaternion"
+            );
+        }
+    }
+}
+
+/// The guided path: three questions tell what the library itself does.
+#[wasm_bindgen_test(unsupported = test)]
+fn three_questions_tell_the_library() {
+    for (seed, behaviour) in (0..).zip(Behaviour::all()) {
+        let mut library = Simulated::new(behaviour, Noise::Single, seed);
+        let (probes, report) = follow(&mut library, |report| {
+            BehaviourAxis::ALL[..5]
+                .iter()
+                .all(|axis| report.settled.contains(axis))
+        });
+        assert_eq!(probes, 3);
+        assert_eq!(report.remaining.first_to_act, [behaviour.first_to_act()]);
+    }
+}
+
+fn hamilton_scalar_first() -> Behaviour {
+    Behaviour::all().next().expect("the first of all")
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_numbers_cannot_tell_is_said_with_the_labels_that_fit() {
+    // The body's quaternion rotates body coordinates to world coordinates ...
+    let body_to_world = [
+        Labels {
+            function: Function::Passive,
+            direction: Direction::BodyToWorld,
+        },
+        Labels {
+            function: Function::Active,
+            direction: Direction::WorldToBody,
+        },
+    ];
+    // ... or the other way round.
+    let world_to_body = [
+        Labels {
+            function: Function::Passive,
+            direction: Direction::WorldToBody,
+        },
+        Labels {
+            function: Function::Active,
+            direction: Direction::BodyToWorld,
+        },
+    ];
+    for attitude in ComponentSign::ALL {
+        for rotate in CosineMatrix::ALL {
+            let behaviour = Behaviour {
+                attitude,
+                rotate,
+                ..hamilton_scalar_first()
+            };
+            let mut library = Simulated::new(behaviour, Noise::None, 7);
+            let answers = every_probe()
+                .iter()
+                .map(|probe| library.answer(probe))
+                .collect();
+            let report = identify(answers);
+            let is_body_to_world =
+                (attitude == ComponentSign::Canonical) == (rotate == CosineMatrix::Hamilton);
+            let expected = if is_body_to_world {
+                body_to_world
+            } else {
+                world_to_body
+            };
+            assert_eq!(report.labels, expected, "{attitude:?} {rotate:?}");
+            assert_eq!(report.remaining.direction, [expected[0].direction]);
+        }
+    }
+    assert_eq!(identify(vec![]).labels.len(), 4);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn names_of_components_leave_the_orders_open() {
+    let product = Probe::Product {
+        a: "i".to_owned(),
+        b: "j".to_owned(),
+        printed: "-k".to_owned(),
+    };
+    let report = identify(vec![product]);
+    assert_eq!(report.settled, [BehaviourAxis::Handedness]);
+    assert_eq!(report.remaining.handedness, [Handedness::Left]);
+    assert_eq!(report.possible, 64);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn nine_numbers_of_unknown_layout_do_not_settle_the_matrix() {
+    let matrix = |layout| Probe::Matrix {
+        quaternion: "w: 0.5, x: 0.5, y: 0.5, z: 0.5".to_owned(),
+        printed: "0 1 0 0 0 1 1 0 0".to_owned(),
+        layout,
+    };
+    let settled = |layout| identify(vec![matrix(layout)]).remaining.matrix;
+    // 120° about (1, 1, 1): R(q) takes x to y, so its first column is y.
+    assert_eq!(settled(MatrixLayout::Rows), [CosineMatrix::Shuster]);
+    assert_eq!(settled(MatrixLayout::Columns), [CosineMatrix::Hamilton]);
+    assert_eq!(settled(MatrixLayout::Unknown).len(), 2);
+    // Then another probe is asked for.
+    let report = identify(vec![matrix(MatrixLayout::Unknown)]);
+    assert!(report.next.is_some());
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_pair_that_contradicts_is_named() {
+    let product = |printed: &str| Probe::Product {
+        a: "0 1 0 0".to_owned(),
+        b: "0 0 1 0".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let rotate = Probe::Rotate {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        vector: "1 2 3".to_owned(),
+        printed: "3 1 2".to_owned(),
+    };
+    let report = identify(vec![product("0 0 0 1"), rotate, product("0 0 0 -1")]);
+    let contradiction = report.contradiction.expect("they contradict");
+    assert_eq!(contradiction.observations, [0, 2]);
+    assert_eq!(contradiction.about, [BehaviourAxis::Handedness]);
+    assert_eq!((report.possible, report.next), (0, None));
+    assert!(report.libraries.is_empty());
+    assert!(report.sentence.contains("contradict"));
+}
+
+/// Three that agree two by two and not all together.
+#[wasm_bindgen_test(unsupported = test)]
+fn three_that_contradict_only_together() {
+    let components = |printed: &str| Probe::Components {
+        quaternion: "0.1 0.5 0.5 0.7".to_owned(),
+        printed: printed.to_owned(),
+    };
+    // The orders of constructor and array are the same ...
+    let same = components("0.1 0.5 0.5 0.7");
+    // ... the constructor takes the scalar first ...
+    let first = Probe::Components {
+        quaternion: "0.1 0.5 0.5 0.7".to_owned(),
+        printed: "w: 0.1, x: 0.5, y: 0.5, z: 0.7".to_owned(),
+    };
+    // ... and the array has it last.
+    let last = Probe::Components {
+        quaternion: "w: 0.1, x: 0.5, y: 0.5, z: 0.7".to_owned(),
+        printed: "0.5 0.5 0.7 0.1".to_owned(),
+    };
+    let pairs = [[&same, &first], [&same, &last], [&first, &last]];
+    for pair in pairs {
+        assert!(
+            identify(pair.map(Clone::clone).to_vec())
+                .contradiction
+                .is_none()
+        );
+    }
+    let report = identify(vec![same, first, last]);
+    assert_eq!(
+        report.contradiction.expect("together").observations,
+        [0, 1, 2]
+    );
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_no_library_prints_and_what_cannot_be_read_stay_in_their_places() {
+    let rotate = |printed: &str| Probe::Rotate {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        vector: "1 2 3".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let texts = ["", "3 1 oops", "1 1 -5", "0 0 0", "3 1 2", "-3 -1 -2"];
+    let report = identify(texts.map(rotate).to_vec());
+    let [empty, problem, wrong, zero, told, mirrored] = &report.observations[..] else {
+        panic!("six")
+    };
+    assert_eq!(*empty, ObservationReport::Empty);
+    let ObservationReport::Problem(found) = problem else {
+        panic!("{problem:?}")
+    };
+    assert_eq!((found.problem.span.start, found.problem.span.end), (4, 8));
+    let ObservationReport::Unexplained(unexplained) = wrong else {
+        panic!("{wrong:?}")
+    };
+    assert!(unexplained.distance.expect("numbers") > 0.5);
+    let ObservationReport::Unexplained(unexplained) = zero else {
+        panic!("{zero:?}")
+    };
+    assert_eq!(unexplained.distance, None);
+    let ObservationReport::Told(told) = told else {
+        panic!("{told:?}")
+    };
+    assert_eq!(
+        (told.possible, &told.settles[..]),
+        (64, &[BehaviourAxis::Rotate][..])
+    );
+    assert!(matches!(mirrored, ObservationReport::Unexplained(_)));
+    // What told nothing takes nothing away.
+    assert_eq!(report.remaining.rotate, [CosineMatrix::Hamilton]);
+    assert_eq!(report.possible, 64);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn what_cannot_be_run_is_not_asked_again() {
+    let mut request = IdentifyRequest::new(vec![]);
+    let mut asked = Vec::new();
+    while let Some(next) = answer(request.clone()).next {
+        asked.push(next.probe.kind());
+        request.unavailable.push(next.probe.kind());
+    }
+    assert_eq!(asked[0], ProbeKind::Product);
+    assert_eq!(asked.len(), 7, "every kind once: {asked:?}");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_sentence_says_what_is_settled_and_what_is_not() {
+    let behaviour = Behaviour {
+        handedness: Handedness::Left,
+        ..hamilton_scalar_first()
+    };
+    let mut library = Simulated::new(behaviour, Noise::None, 3);
+    let answers: Vec<Probe> = every_probe()
+        .iter()
+        .map(|probe| library.answer(probe))
+        .collect();
+    let mut request = IdentifyRequest::new(answers[..3].to_vec());
+    request.name = "  Quux 3.1 ".to_owned();
+    let report = answer(request);
+    assert_eq!(report.remaining.first_to_act, [Side::Left]);
+    assert_eq!(
+        report.sentence,
+        "Quux 3.1 multiplies Shuster/JPL (i*j = -k), takes w x y z in its constructor, stores and \
+         prints w x y z, rotates a column vector by R(q) and lets the left operand a of a*b act \
+         first. That is not JPL: the product is Shuster's, but the quaternion rotates by R(q). \
+         Not settled: what its matrix is."
+    );
 }

@@ -44,7 +44,14 @@ before(async () => {
 after(() => rmSync(project, { recursive: true, force: true }));
 
 test("import and require give the same instance", () => {
-  assert.deepEqual(Object.keys(quatlas).sort(), ["HAMILTON", "JPL", "analyze"]);
+  assert.deepEqual(Object.keys(quatlas).sort(), [
+    "HAMILTON",
+    "JPL",
+    "analyze",
+    "identify",
+    "libraries",
+    "translate",
+  ]);
   assert.equal(quatlas.analyze, required.analyze);
   assert.equal(quatlas.JPL, required.JPL);
 });
@@ -68,7 +75,7 @@ test("the package has types, no install scripts and no dependencies", () => {
 });
 
 test("the types are whole, for import and for require, and refuse what is wrong", () => {
-  const program = `import { analyze, JPL, type Outcome } from "quatlas";
+  const program = `import { analyze, identify, JPL, libraries, type Outcome, translate } from "quatlas";
     const request = { view: "read", quaternion: "1 0 0 0", vector: "1 0 0" } as const;
     const outcome: Outcome = analyze({ ...request, convention: JPL });
     if (outcome.status === "read") {
@@ -78,6 +85,13 @@ test("the types are whole, for import and for require, and refuse what is wrong"
     }
     // @ts-expect-error: the convention is missing
     analyze(request);
+    const from = { kind: "library", id: libraries[0].id } as const;
+    const translated = translate({ quaternion: "1 0 0 0", from, to: { kind: "convention", convention: JPL } });
+    if (translated.status === "translate") console.log(translated.to.array satisfies number[]);
+    const { next } = identify({ observations: [{ probe: "quarter-turn", printed: "" }] });
+    console.log(next?.code satisfies string | undefined);
+    // @ts-expect-error: no such probe
+    identify({ observations: [{ probe: "half-turn", printed: "" }] });
   `;
   for (const name of ["typed.mts", "typed.cts"]) writeFileSync(join(project, name), program);
   const tsc = join(root, "node_modules", "typescript", "bin", "tsc");
@@ -118,12 +132,55 @@ test("a quarter turn about z, from the numbers of a JPL filter", () => {
   assert.deepEqual(outcome.hamilton.image, [0, 1, 0]);
 });
 
-test("the example of the README runs as it is printed", async () => {
+test("the examples of the README run as they are printed", async () => {
   const readme = readFileSync(join(root, "README.md"), "utf8");
-  const [, example] = readme.match(/```js\n(.*?)```/s);
-  const file = join(project, "example.mjs");
-  writeFileSync(file, example);
-  execFileSync(process.execPath, [file], { cwd: project });
+  const examples = [...readme.matchAll(/```js\n(.*?)```/gs)];
+  assert.equal(examples.length, 2);
+  for (const [, example] of examples) {
+    const file = join(project, "example.mjs");
+    writeFileSync(file, example);
+    execFileSync(process.execPath, [file], { cwd: project });
+  }
+});
+
+test("from a JPL filter to SciPy: the scalar moves and nothing is conjugated", () => {
+  const end = (id) => ({ kind: "library", id });
+  const translated = quatlas.translate({
+    quaternion: "0 0 0.6 0.8",
+    from: end("openvins"),
+    to: end("scipy-scalar-first"),
+  });
+  assert.equal(translated.status, "translate");
+  assert.equal(translated.change, "reordered");
+  assert.deepEqual(translated.to.array, [0.8, 0, 0, 0.6]);
+  const problem = quatlas.translate({ quaternion: "🙂 oops", from: end("eigen"), to: end("tf3") });
+  assert.equal(problem.status, "problems");
+  assert.equal(problem.problems[0].code, "unknown-library");
+});
+
+test("a library is told from what it printed, and problems stay at their observations", () => {
+  const product = (printed) => ({ probe: "product", a: "0 1 0 0", b: "0 0 1 0", printed });
+  const report = quatlas.identify({ observations: [product("0 0 0 -1")], language: "rust" });
+  assert.deepEqual(report.settled, ["constructor", "array", "handedness"]);
+  assert.deepEqual(report.remaining.handedness, ["left"]);
+  assert.equal(report.next.probe.probe, "rotate");
+  assert.match(report.next.code, /^println!\("\{:\?\}", Quaternion::new\(0\.5, /);
+  assert.ok(report.libraries.some(({ id }) => id === "panda3d"));
+  const [observation] = quatlas.identify({ observations: [product("🙂 oops")] }).observations;
+  assert.equal(observation.status, "problem");
+  // The emoji takes two UTF-16 units.
+  assert.equal(observation.problem.span.end, 2);
+});
+
+test("the table of libraries is exported, with what was printed", () => {
+  const read = (name) => JSON.parse(readFileSync(join(installed, "dist/npm", name), "utf8"));
+  assert.deepEqual(quatlas.libraries, read("libraries.json"));
+  assert.ok(quatlas.libraries.length >= 60);
+  const require = createRequire(join(project, "index.cjs"));
+  assert.deepEqual(require("quatlas/libraries.json"), quatlas.libraries);
+  const { observations } = require("quatlas/observations.json");
+  const run = quatlas.libraries.filter(({ known }) => known === "run");
+  assert.deepEqual(observations.map(({ id }) => id).sort(), run.map(({ id }) => id).sort());
 });
 
 test("the golden cases of one attitude in every handedness, function and direction", () => {
@@ -185,6 +242,16 @@ test("no NaN, no infinity and no -0 reaches JavaScript", () => {
       const request = { quaternion, vector: "-0 1.7e308 1.7e308", convention, view: "read" };
       checkNumbers(quatlas.analyze(request), quaternion);
       const { vector } = request;
+      const [from, to] = [convention, quatlas.JPL].map((of) => ({
+        kind: "convention",
+        convention: of,
+      }));
+      const axes = { worldAxes: "y x -z", bodyAxes: "z x y" };
+      checkNumbers(quatlas.translate({ quaternion, from, to }), quaternion);
+      checkNumbers(quatlas.translate({ quaternion, from, to, ...axes }), quaternion);
+      const printed = "1e308 -1e308 1e-320 0";
+      const probe = { probe: "product", a: quaternion, b: quaternion, printed };
+      checkNumbers(quatlas.identify({ observations: [probe] }), quaternion);
       checkNumbers(
         quatlas.analyze({ view: "compose", p: quaternion, q: quaternion, vector, convention }),
         quaternion,
@@ -201,7 +268,14 @@ test("a request that is not of its type is a TypeError that names what is wrong"
     name: "TypeError",
     message: /both/,
   });
-  assert.throws(() => quatlas.analyze(undefined), { name: "TypeError" });
+  assert.throws(() => quatlas.analyze(undefined), {
+    name: "TypeError",
+    message: /its view is none/,
+  });
+  assert.throws(() => quatlas.identify({ observations: [{ probe: "oops" }] }), {
+    name: "TypeError",
+    message: /oops/,
+  });
 });
 
 function checkNumbers(value, what) {

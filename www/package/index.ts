@@ -2,10 +2,17 @@
 import {
   analyze as analyzeInCore,
   type Convention,
+  type IdentifyReport,
+  type IdentifyRequest,
   initSync,
+  type Library,
+  librariesJson,
   type Outcome,
+  type Problems,
   presets,
   type Request,
+  type TranslateReport,
+  type TranslateRequest,
   takePanicMessage,
 } from "../../pkg/quatlas.js";
 import wasm from "../../pkg/quatlas_bg.wasm?url&inline";
@@ -42,6 +49,62 @@ export function analyze(request: Request): Outcome {
     if (panic === undefined) throw error;
     throw new Error(`this is a mistake in quatlas, please report it: ${panic}`, { cause: error });
   }
+}
+
+/**
+ * What libraries do with four numbers, and how that is known: one record a library and version.
+ *
+ * What a record leaves out is not established. The same table is in `quatlas/libraries.json`, and what
+ * each library printed when it was run in `quatlas/observations.json`.
+ *
+ * @example
+ * // DirectXMath has JPL's product and is not JPL: it rotates by R(q).
+ * const { handedness, rotate } = libraries.find(({ id }) => id === "directxmath");
+ * handedness; // "left"
+ * rotate; // "R"
+ */
+export const libraries: readonly Library[] = Object.freeze(JSON.parse(librariesJson()));
+
+/**
+ * One attitude, from one library or convention to another: the numbers at both ends, what was done to
+ * them, the matrices, the lines of code, and what goes wrong if the step is forgotten.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // A JPL filter to SciPy: the customary directions are opposite, so nothing is conjugated.
+ * const translated = translate({
+ *   quaternion: "0 0 0.6 0.8",
+ *   from: { kind: "library", id: "openvins" },
+ *   to: { kind: "library", id: "scipy-scalar-first" },
+ * });
+ * translated.to.array; // [0.8, 0, 0, 0.6]
+ * translated.change; // "reordered"
+ */
+export function translate(
+  request: TranslateRequest,
+): ({ status: "translate" } & TranslateReport) | ({ status: "problems" } & Problems) {
+  return analyze({ view: "translate", ...request }) as ReturnType<typeof translate>;
+}
+
+/**
+ * Which convention a library uses, from what it printed, and what to try next.
+ *
+ * It always answers: a text that cannot be read is a problem in the report, at its observation.
+ *
+ * @example
+ * const report = identify({
+ *   observations: [{ probe: "product", a: "0 1 0 0", b: "0 0 1 0", printed: "0 0 0 -1" }],
+ * });
+ * report.settled; // ["constructor", "array", "handedness"]
+ * report.remaining.handedness; // ["left"]: i*j = -k
+ * report.next.code; // "print(Quaternion(0.5, 0.5, 0.5, 0.5).rotate([1, 2, 3]))"
+ */
+export function identify(request: IdentifyRequest): IdentifyReport {
+  const { status: _, ...report } = analyze({ view: "identify", ...request }) as {
+    status: "identify";
+  } & IdentifyReport;
+  return report;
 }
 
 function bytesOfDataUrl(url: string): Uint8Array<ArrayBuffer> {

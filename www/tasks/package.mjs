@@ -1,6 +1,6 @@
 // The npm package: one CommonJS file that holds the optimised wasm, an ES module in front of it,
 // and the types.
-import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { ask, root, Stop, say } from "./shell.mjs";
 
@@ -29,6 +29,9 @@ export async function buildPackage() {
   ];
   writeFileSync(join(out, "index.mjs"), `${esModule.join("\n")}\n`);
   writeTypes(out);
+  for (const name of ["libraries.json", "observations.json"]) {
+    copyFileSync(join(root, "src", name), join(out, name));
+  }
 }
 
 /** The types that the core generates, and the declarations of what index.ts exports. */

@@ -1,0 +1,96 @@
+//! What libraries printed, and the pieces to compute it again.
+#![allow(dead_code, reason = "each test file uses a part of this")]
+
+use crate::common::assert_close;
+use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
+use quatlas::{CosineMatrix, Handedness, Library, hamilton_product, jpl_product, library};
+use serde_json::Value;
+
+/// Some of the libraries compute in single precision.
+pub(crate) const SINGLE_PRECISION: f64 = 3e-6;
+
+pub(crate) struct Recorded {
+    pub(crate) inputs: Value,
+    pub(crate) observations: Vec<Value>,
+}
+
+pub(crate) fn recorded() -> Recorded {
+    let mut file: Value =
+        serde_json::from_str(include_str!("../../src/observations.json")).expect("JSON");
+    Recorded {
+        inputs: file["inputs"].take(),
+        observations: file["observations"].as_array().expect("a list").clone(),
+    }
+}
+
+/// Runs a check on every record that was run, with what it printed.
+pub(crate) fn for_each(check: impl Fn(&Library, &Value, &Value)) {
+    let Recorded {
+        inputs,
+        observations,
+    } = recorded();
+    for observation in &observations {
+        let id = observation["id"].as_str().expect("an id");
+        check(library(id).expect(id), observation, &inputs);
+    }
+}
+
+/// The numbers of a value of any shape, if all of it is numbers.
+pub(crate) fn numbers(value: &Value) -> Option<Vec<f64>> {
+    match value {
+        Value::Array(parts) => parts
+            .iter()
+            .map(numbers)
+            .collect::<Option<Vec<_>>>()
+            .map(|p| p.concat()),
+        Value::Number(number) => number.as_f64().map(|number| vec![number]),
+        _ => None,
+    }
+}
+
+pub(crate) fn quaternion(value: &Value) -> Option<Quaternion<f64>> {
+    match numbers(value)?[..] {
+        [w, x, y, z] => Some(Quaternion::new(w, x, y, z)),
+        _ => None,
+    }
+}
+
+pub(crate) fn vector(value: &Value) -> Option<Vector3<f64>> {
+    numbers(value).map(|numbers| Vector3::from_column_slice(&numbers))
+}
+
+pub(crate) fn matrix(value: &Value) -> Option<Matrix3<f64>> {
+    let numbers = numbers(value)?;
+    (numbers.len() == 9).then(|| Matrix3::from_row_slice(&numbers))
+}
+
+pub(crate) fn components(q: &Quaternion<f64>) -> [f64; 4] {
+    [q.w, q.i, q.j, q.k]
+}
+
+/// Compares two quaternions that may be opposite.
+#[track_caller]
+pub(crate) fn assert_same_rotation(what: &str, got: &Quaternion<f64>, expected: &Quaternion<f64>) {
+    let sign = if got.coords.dot(&expected.coords) < 0.0 {
+        -1.0
+    } else {
+        1.0
+    };
+    let expected = components(&(expected * sign));
+    assert_close(what, &components(got), &expected, SINGLE_PRECISION);
+}
+
+pub(crate) fn product(
+    handedness: Handedness,
+    a: &Quaternion<f64>,
+    b: &Quaternion<f64>,
+) -> Quaternion<f64> {
+    match handedness {
+        Handedness::Right => hamilton_product(a, b),
+        Handedness::Left => jpl_product(a, b),
+    }
+}
+
+pub(crate) fn of(form: CosineMatrix, q: &Quaternion<f64>) -> Matrix3<f64> {
+    form.of(q).expect("not zero")
+}

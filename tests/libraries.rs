@@ -1,0 +1,447 @@
+//! The table of libraries: what each of them printed is computed again by this core.
+//!
+//! Every record that was run has its numbers in `src/observations.json`. Each test below takes one
+//! thing that a record says, computes what a library of that kind prints, and compares.
+
+mod common;
+
+#[path = "common/recorded.rs"]
+mod recorded;
+
+use common::{assert_close, wasm_bindgen_test};
+use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
+use quatlas::{
+    AxisAngleSign, ComponentOrder, Convention, CosineMatrix, Direction, Family, Handedness, Known,
+    Library, Rotation, Side, TaggedQuaternion, VectorLayout, libraries, library,
+};
+use recorded::{
+    SINGLE_PRECISION, assert_same_rotation, components, for_each, matrix, numbers, of, product,
+    quaternion, recorded, vector,
+};
+use std::collections::HashSet;
+
+/// How a record can be wrong without any number: ids, and what one field says of another.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_table_is_whole() {
+    let ids: HashSet<_> = libraries().iter().map(|library| &library.id).collect();
+    assert_eq!(ids.len(), libraries().len(), "every id once");
+    assert!(libraries().len() >= 60);
+    let run: HashSet<String> = recorded()
+        .observations
+        .iter()
+        .map(|observation| observation["id"].as_str().expect("an id").to_owned())
+        .collect();
+    for library in libraries() {
+        let id = &library.id;
+        assert_eq!(library.known == Known::Run, run.contains(id), "{id}: run");
+        assert_eq!(
+            library.known == Known::Run,
+            library.calls.is_some(),
+            "{id}: calls"
+        );
+        assert!(
+            library.known == Known::Run || library.source.is_some(),
+            "{id}: source"
+        );
+        assert!(
+            library.matrix.is_some() || library.vectors.is_none(),
+            "{id}: vectors"
+        );
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        assert!(id.chars().all(plain), "{id}");
+    }
+}
+
+/// What was recorded is in the record, and what is in the record was recorded.
+#[wasm_bindgen_test(unsupported = test)]
+fn nothing_is_claimed_that_was_not_recorded_nor_left_out() {
+    for_each(|library, observed, _| {
+        let printed = |key: &str| numbers(&observed[key]).is_some();
+        let claims = [
+            ("array", library.array.is_some(), printed("arrayOfA")),
+            (
+                "handedness",
+                library.handedness.is_some(),
+                printed("productAB") || printed("productIJ"),
+            ),
+            ("matrix", library.matrix.is_some(), printed("matrixA")),
+            ("rotate", library.rotate.is_some(), printed("rotateAV")),
+        ];
+        for (name, claimed, recorded) in claims {
+            assert_eq!(claimed, recorded, "{}: {name}", library.id);
+        }
+        // Some constructors refuse 0.1, 0.2, 0.3, 0.4, whose norm is not 1; their order shows elsewhere.
+        assert!(library.constructor.is_some() || !printed("constructed1234"));
+    });
+}
+
+/// The README counts the records.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_counts_of_the_readme_are_true() {
+    let readme = include_str!("../README.md").replace('\n', " ");
+    let count = |known| {
+        let libraries = libraries().iter();
+        libraries.filter(|library| library.known == known).count()
+    };
+    let sentences = [
+        format!("two of {} libraries", libraries().len()),
+        format!("{} were run", count(Known::Run)),
+        format!("{} were read in their source", count(Known::Read)),
+        format!("{} in their documentation", count(Known::Documented)),
+    ];
+    for sentence in sentences {
+        assert!(readme.contains(&sentence), "{sentence}");
+    }
+}
+
+/// Those that people would look for first.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_people_look_for_is_there() {
+    let wanted = [
+        "geometry_msgs",
+        "tf2",
+        "tf.transformations",
+        "Eigen",
+        "SciPy",
+        "scalar_first",
+        "MATLAB",
+        "MuJoCo",
+        "Drake",
+        "GTSAM",
+        "Sophus",
+        "manif",
+        "Ceres",
+        "KDL",
+        "pinocchio",
+        "PyBullet",
+        "Bullet",
+        "Isaac Lab 2",
+        "Isaac Lab 3",
+        "PX4",
+        "ArduPilot",
+        "MAVLink",
+        "three",
+        "gl-matrix",
+        "Babylon",
+        "Cesium",
+        "Unity",
+        "Unreal",
+        "Godot",
+        "Blender",
+        "glam",
+        "nalgebra",
+        "cgmath",
+        "GLM",
+        "DirectXMath",
+        "OpenSceneGraph",
+        "USD",
+        "Qt",
+        "pyquaternion",
+        "transforms3d",
+        "Gohlke",
+        "numpy-quaternion",
+        "pytransform3d",
+        "spatialmath",
+        "ahrs",
+        "navpy",
+        "spiceypy",
+        "Basilisk",
+        "Hipparchus",
+        "Orekit",
+        "ANISE",
+        "OpenVINS",
+        "MSCKF",
+        "Kalibr",
+        "maplab",
+        "kindr",
+        "minkindr",
+        "OpenXR",
+        "DJI",
+        "Android",
+        "Apple",
+    ];
+    for name in wanted {
+        let lower = name.to_lowercase();
+        let is_named = |library: &Library| {
+            let mut names = [&library.id, &library.name]
+                .into_iter()
+                .chain(&library.words);
+            names.any(|found| found.to_lowercase().contains(&lower))
+        };
+        assert!(libraries().iter().any(is_named), "{name}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_order_of_arrays_and_constructors() {
+    for_each(|library, observed, inputs| {
+        let id = &library.id;
+        let in_order = |q: &Quaternion<f64>, order: ComponentOrder| {
+            TaggedQuaternion {
+                components: *q,
+                convention: Convention {
+                    order,
+                    ..Convention::HAMILTON
+                },
+            }
+            .to_array()
+        };
+        let a = quaternion(&inputs["a"]).expect("a");
+        if let (Some(order), Some(printed)) = (library.array, numbers(&observed["arrayOfA"])) {
+            assert_close(id, &printed, &in_order(&a, order), SINGLE_PRECISION);
+        }
+        if let (Some(order), Some(made)) = (
+            library.constructor,
+            quaternion(&observed["constructed1234"]),
+        ) {
+            // It took 0.1, 0.2, 0.3, 0.4. Some divide by the norm, some go through a matrix: only the
+            // direction of the vector part is the same for all.
+            let expected = match order {
+                ComponentOrder::ScalarFirst => Vector3::new(2.0, 3.0, 4.0),
+                ComponentOrder::ScalarLast => Vector3::new(1.0, 2.0, 3.0),
+            };
+            let got = made.vector().normalize();
+            let expected = expected.normalize();
+            assert_close(id, got.as_slice(), expected.as_slice(), SINGLE_PRECISION);
+        }
+    });
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_product() {
+    for_each(|library, observed, inputs| {
+        let id = &library.id;
+        let (a, b) = (
+            quaternion(&inputs["a"]).expect("a"),
+            quaternion(&inputs["b"]).expect("b"),
+        );
+        if let (Some(hand), Some(printed)) =
+            (library.handedness, quaternion(&observed["productAB"]))
+        {
+            assert_same_rotation(id, &printed, &product(hand, &a, &b));
+        }
+        if let (Some(hand), Some(printed)) = (library.handedness, numbers(&observed["productIJ"])) {
+            let sign = if hand == Handedness::Right { 1.0 } else { -1.0 };
+            assert_close(id, &printed, &[0.0, 0.0, 0.0, sign], SINGLE_PRECISION);
+        }
+        let is_recorded = !observed["productAB"].is_null() || !observed["productIJ"].is_null();
+        assert!(
+            library.handedness.is_some() || !is_recorded,
+            "{id}: a product without a hand"
+        );
+    });
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_matrix() {
+    for_each(|library, observed, inputs| {
+        let Some(form) = library.matrix else { return };
+        let (a, b) = (
+            quaternion(&inputs["a"]).expect("a"),
+            quaternion(&inputs["b"]).expect("b"),
+        );
+        let check = |what: &str, q: &Quaternion<f64>| {
+            let Some(printed) = matrix(&observed[what]) else {
+                return;
+            };
+            let expected = of(form, q);
+            let what = format!("{}: {what}", library.id);
+            assert_close(
+                &what,
+                printed.as_slice(),
+                expected.as_slice(),
+                SINGLE_PRECISION,
+            );
+        };
+        check("matrixA", &a);
+        check("matrixB", &b);
+        if let Some(hand) = library.handedness {
+            check("matrixAB", &product(hand, &a, &b));
+        }
+    });
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_rotated_vector_and_which_operand_acts_first() {
+    for_each(|library, observed, inputs| {
+        let Some(form) = library.rotate else { return };
+        let id = &library.id;
+        let (a, b) = (
+            quaternion(&inputs["a"]).expect("a"),
+            quaternion(&inputs["b"]).expect("b"),
+        );
+        let v = vector(&inputs["v"]).expect("v");
+        let check = |what: &str, expected: Vector3<f64>| {
+            let Some(printed) = vector(&observed[what]) else {
+                return;
+            };
+            let what = format!("{id}: {what}");
+            assert_close(
+                &what,
+                printed.as_slice(),
+                expected.as_slice(),
+                SINGLE_PRECISION,
+            );
+        };
+        let b_then_a = of(form, &a) * (of(form, &b) * v);
+        let a_then_b = of(form, &b) * (of(form, &a) * v);
+        check("rotateAV", of(form, &a) * v);
+        check("rotateBThenA", b_then_a);
+        check("rotateAThenB", a_then_b);
+        if let Some(first) = library.first_to_act() {
+            check(
+                "rotateABV",
+                if first == Side::Right {
+                    b_then_a
+                } else {
+                    a_then_b
+                },
+            );
+        }
+    });
+}
+
+/// A matrix that acts on columns as it is printed, or on rows, does what the call that rotates does.
+#[wasm_bindgen_test(unsupported = test)]
+fn matrix_and_rotation_agree() {
+    for library in libraries() {
+        let (Some(rotate), Some(matrix), Some(vectors)) =
+            (library.rotate, library.matrix, library.vectors)
+        else {
+            continue;
+        };
+        let acts = match vectors {
+            VectorLayout::Column => matrix,
+            VectorLayout::Row => matrix.transposed(),
+        };
+        assert_eq!(acts, rotate, "{}", library.id);
+    }
+}
+
+/// The families of the specification's survey, each with its libraries.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_looks_like_jpl_and_is_not() {
+    let family = |id: &str| library(id).expect(id).family();
+    for id in ["directxmath", "openscenegraph", "panda3d"] {
+        assert_eq!(family(id), Some(Family::ReversedProduct), "{id}");
+    }
+    for id in ["basilisk", "navpy", "matlab-aerospace"] {
+        assert_eq!(family(id), Some(Family::TransposedMatrix), "{id}");
+    }
+    for id in ["openvins", "msckf-vio", "kalibr", "anise"] {
+        assert_eq!(family(id), Some(Family::Shuster), "{id}");
+    }
+    for id in ["babylon", "usd", "eigen", "scipy"] {
+        assert_eq!(family(id), Some(Family::Hamilton), "{id}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_turn_about_z() {
+    for_each(|library, observed, inputs| {
+        let Some(printed) = quaternion(&observed["axisAngleZ"]) else {
+            assert_eq!(library.axis_angle, None, "{}", library.id);
+            return;
+        };
+        let angle = inputs["axisAngle"].as_f64().expect("an angle");
+        let (sin, cos) = (angle / 2.0).sin_cos();
+        let sign = match library.axis_angle.expect(&library.id) {
+            AxisAngleSign::Positive => 1.0,
+            AxisAngleSign::Negative => -1.0,
+        };
+        // Two of the libraries have a call for small turns only, to first order.
+        let expected = [cos, 0.0, 0.0, sign * sin];
+        assert_close(&library.id, &components(&printed), &expected, 1e-3);
+    });
+}
+
+/// `Rz(c) Ry(-b) Rx(a)` with numbers for the letters.
+fn product_of_turns(means: &str, angles: &[f64]) -> Matrix3<f64> {
+    means
+        .split_whitespace()
+        .fold(Matrix3::identity(), |product, factor| {
+            let inner = factor.trim_start_matches('R').trim_end_matches(')');
+            let (axis, angle) = inner.split_once('(').expect(means);
+            let letter = angle.trim_start_matches('-');
+            let size = angles[["a", "b", "c"]
+                .iter()
+                .position(|name| *name == letter)
+                .expect(means)];
+            let axis = match axis {
+                "x" => Vector3::x(),
+                "y" => Vector3::y(),
+                "z" => Vector3::z(),
+                _ => panic!("{means}"),
+            };
+            let turn =
+                Rotation::from_axis_angle(axis.into(), if angle == letter { size } else { -size });
+            product * turn.expect("finite").body_to_world_matrix()
+        })
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn euler_calls_mean_what_they_say() {
+    for_each(|library, observed, _| {
+        let none = Vec::new();
+        let printed = observed["euler"].as_array().unwrap_or(&none);
+        assert!(library.euler.len() <= printed.len(), "{}", library.id);
+        for (call, observed) in library.euler.iter().zip(printed) {
+            let got = match quaternion(&observed["out"]) {
+                Some(quaternion) => of(CosineMatrix::Hamilton, &quaternion),
+                None => matrix(&observed["out"]).expect(&call.call),
+            };
+            let angles = numbers(&observed["args"]).expect("angles");
+            let expected = product_of_turns(&call.means, &angles);
+            let what = format!("{}: {} {}", library.id, call.call, observed["call"]);
+            assert_close(&what, got.as_slice(), expected.as_slice(), 1e-5);
+        }
+    });
+}
+
+/// The names of the components in a line of code stand in the order of the constructor or the array.
+#[wasm_bindgen_test(unsupported = test)]
+fn lines_of_code_name_all_components_once() {
+    for library in libraries() {
+        let Some(line) = &library.code.construct else {
+            continue;
+        };
+        let mut places: Vec<(usize, &str)> = ["w", "x", "y", "z"]
+            .into_iter()
+            .map(|name| {
+                let place = format!("{{{name}}}");
+                assert_eq!(line.matches(&place).count(), 1, "{}: {place}", library.id);
+                (line.find(&place).expect("once"), name)
+            })
+            .collect();
+        places.sort_unstable();
+        let order: String = places.iter().map(|(_, name)| *name).collect();
+        let orders = [library.constructor, library.array].into_iter().flatten();
+        let known: Vec<&str> = orders
+            .map(|order| match order {
+                ComponentOrder::ScalarFirst => "wxyz",
+                ComponentOrder::ScalarLast => "xyzw",
+            })
+            .collect();
+        // Names or keywords may stand in any order.
+        let names_them = ["w=", "w =", "w:", "real", ".w", "scalar"]
+            .iter()
+            .any(|mark| line.contains(mark));
+        assert!(
+            known.is_empty() || names_them || known.contains(&&*order),
+            "{}: {line}",
+            library.id
+        );
+    }
+}
+
+/// Without documentation, a quaternion that rotates by R(q) is taken for body to world.
+#[wasm_bindgen_test(unsupported = test)]
+fn documented_directions_are_few_and_known() {
+    let direction = |id: &str| library(id).expect(id).direction;
+    assert_eq!(direction("openvins"), Some(Direction::WorldToBody));
+    assert_eq!(
+        direction("px4-vehicle-attitude"),
+        Some(Direction::BodyToWorld)
+    );
+    assert_eq!(direction("eigen"), None);
+}

@@ -59,8 +59,8 @@ export interface PageState {
 
 /**
  * The page opens on the example of the ME 495 lecture: 45° about z, and the point (1, 1, 0)/√2.
- * Translate opens on the log of a filter, and Identify on what DirectXMath prints, which has JPL's
- * product and is not JPL.
+ * Translate opens on the log of a filter, and Identify on a library that has JPL's product and
+ * is not JPL, as DirectXMath.
  */
 export const opening: PageState = {
   view: "read",
@@ -79,10 +79,16 @@ export const opening: PageState = {
   worldAxes: "",
   bodyAxes: "",
   observations: [
-    { probe: "product", a: "1 0 0 0", b: "0 1 0 0", printed: "0 0 -1 0" },
+    { probe: "product", a: "0 1 0 0", b: "0 0 1 0", printed: "-1 0 0 0" },
     { probe: "rotate", quaternion: "0.5 0.5 0.5 0.5", vector: "1 2 3", printed: "3 1 2" },
+    {
+      probe: "matrix",
+      quaternion: "0.5 0.5 0.5 0.5",
+      printed: "0 1 0\n0 0 1\n1 0 0",
+      layout: "rows",
+    },
   ],
-  libraryName: "",
+  libraryName: "X",
   language: "python",
   unavailable: [],
   find: "",

@@ -4,6 +4,8 @@ import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
+import "./view/identify.css";
+import "./view/identify_answer.css";
 import "./view/libraries.css";
 import "./view/picker.css";
 import "./view/translate.css";

@@ -1,0 +1,107 @@
+// The records that say nothing else than what was observed.
+import { toFragment } from "../address.ts";
+import type { IdentifyReport, LibraryMatch } from "../engine.ts";
+import type { Store } from "../state.ts";
+import { choiceWords, listed } from "./identify_words.ts";
+import { knownWords, libraryWith, notEstablished } from "./library_words.ts";
+
+/** As many are shown without being asked for. */
+const shownAtOnce = 12;
+
+/** Stands for the id of any record. */
+const anyId = "any-id";
+
+/** A record that leaves more choices open than these hardly tells anything. */
+const mostOpen = 2;
+
+export function MatchingLibraries({ store, report }: { store: Store; report: IdentifyReport }) {
+  const open = ({ unestablished }: LibraryMatch) => unestablished.length;
+  const all = report.libraries;
+  const agree = all.filter((match) => open(match) === 0);
+  const leaveOpen = all.filter((match) => open(match) > 0 && open(match) <= mostOpen);
+  const sayLittle = all.filter((match) => open(match) > mostOpen);
+  return (
+    <section class="fact matches" aria-labelledby="matches-name">
+      <h2 id="matches-name">
+        Records that match: {all.length} of {store.engine.libraries.length}
+      </h2>
+      {all.length === 0 && (
+        <p>No record of the table behaves like this. It may be right all the same.</p>
+      )}
+      <MatchList store={store} title="Agree in all five choices" matches={agree} />
+      <MatchList store={store} title="Agree, with one or two choices open" matches={leaveOpen} />
+      {sayLittle.length > 0 && (
+        <details class="products">
+          <summary>{sayLittle.length} more establish too little to disagree</summary>
+          <Matches store={store} matches={sayLittle} />
+        </details>
+      )}
+    </section>
+  );
+}
+
+function MatchList({
+  store,
+  title,
+  matches,
+}: {
+  store: Store;
+  title: string;
+  matches: readonly LibraryMatch[];
+}) {
+  if (matches.length === 0) return null;
+  const more = matches.slice(shownAtOnce);
+  return (
+    <>
+      <h3>
+        {title}: {matches.length}
+      </h3>
+      <Matches store={store} matches={matches.slice(0, shownAtOnce)} />
+      {more.length > 0 && (
+        <details class="products">
+          <summary>{more.length} more</summary>
+          <Matches store={store} matches={more} />
+        </details>
+      )}
+    </>
+  );
+}
+
+function Matches({ store, matches }: { store: Store; matches: readonly LibraryMatch[] }) {
+  // Written once for all of them: an address takes its time.
+  const address = toFragment({ ...store.state.value, view: "libraries", library: anyId });
+  const linkTo = (id: string) => `#${address.replace(`library=${anyId}`, `library=${id}`)}`;
+  return (
+    <ul class="match-list">
+      {matches.map((match) => (
+        <Match key={match.id} store={store} match={match} linkTo={linkTo} />
+      ))}
+    </ul>
+  );
+}
+
+function Match({
+  store,
+  match,
+  linkTo,
+}: {
+  store: Store;
+  match: LibraryMatch;
+  linkTo: (id: string) => string;
+}) {
+  const library = libraryWith(store.engine, match.id);
+  if (library === undefined) return null;
+  return (
+    <li>
+      <a href={linkTo(library.id)}>{library.name}</a>{" "}
+      <span class="match-version">
+        {library.version}, {knownWords[library.known][0]}
+      </span>
+      {match.unestablished.length > 0 && (
+        <span class="match-open">
+          {notEstablished}: {listed(match.unestablished.map((choice) => choiceWords[choice].about))}
+        </span>
+      )}
+    </li>
+  );
+}

@@ -1,0 +1,260 @@
+// One observation: what to run, what went in, what was printed, and what that tells.
+import type { ComponentChildren } from "preact";
+import { useRef } from "preact/hooks";
+import { layouts } from "../address_probes.ts";
+import type { MatrixLayout, ObservationReport, Probe, Problem } from "../engine.ts";
+import { Marked } from "./Ask.tsx";
+import { fieldOf, inputsOf, type TextName, textOf, withText } from "./identify_probe.ts";
+import { choiceWords, listed, probeWords, unexplainedAdvice } from "./identify_words.ts";
+import { Copy } from "./Value.tsx";
+import { symbolOf } from "./words.ts";
+
+/** The field in which the answer to an observation is typed. */
+export const printedId = (at: number) => `observation-${at}-printed`;
+
+export function Observation({
+  at,
+  probe,
+  report,
+  code,
+  isQuestion,
+  lead,
+  contradicts,
+  button,
+  onChange,
+  onDone,
+}: {
+  /** Its place in the list, from 0. */
+  at: number;
+  probe: Probe;
+  /** Absent for a question that is not answered yet. */
+  report: ObservationReport | undefined;
+  code: string | undefined;
+  isQuestion: boolean;
+  /** What is said before it is asked. */
+  lead?: string | undefined;
+  /** The places of those that it contradicts. */
+  contradicts: readonly number[];
+  /** What takes it away. */
+  button: ComponentChildren;
+  onChange: (probe: Probe) => void;
+  /** The answer is complete. */
+  onDone: () => void;
+}) {
+  const { name, asks } = probeWords[probe.probe];
+  const id = `observation-${at}`;
+  const problem = report?.status === "problem" ? report.problem : undefined;
+  const isFalse = contradicts.length > 0;
+  const field = (text: TextName) => (
+    <Text
+      key={text}
+      id={`${id}-${text}`}
+      of={`observation ${at + 1}`}
+      name={text}
+      text={textOf(probe, text)}
+      problem={problem?.field === fieldOf[text] ? problem : undefined}
+      isWrong={text === "printed" && (isFalse || report?.status === "unexplained")}
+      describedBy={`${id}-told`}
+      onInput={(typed) => onChange(withText(probe, text, typed))}
+      onDone={report?.status === "told" ? onDone : undefined}
+    />
+  );
+  return (
+    <li
+      class={`observation ${isQuestion ? "question" : ""} ${isFalse ? "contradicting" : ""}`}
+      aria-labelledby={`${id}-name`}
+    >
+      <header>
+        <span class="observation-number" aria-hidden="true">
+          {at + 1}
+        </span>
+        <h3 id={`${id}-name`}>
+          <span class="visually-hidden">
+            {isQuestion ? "Question" : "Observation"} {at + 1}:{" "}
+          </span>
+          {name}
+        </h3>
+        {isFalse && <span class="badge">contradicts {listed(contradicts.map(numberOf))}</span>}
+        {button}
+      </header>
+      <p class="observation-asks">{asks}</p>
+      {code !== undefined && (
+        <div class="probe-code">
+          <pre>
+            <code>{code}</code>
+          </pre>
+          <Copy of={`the code of observation ${at + 1}`} text={code} />
+        </div>
+      )}
+      <div class={`observation-texts probe-${probe.probe}`}>
+        {inputsOf[probe.probe].map(field)}
+        {field("printed")}
+        {(probe.probe === "matrix" || probe.probe === "from-matrix") && (
+          <Layout probe={probe} at={at} onChange={onChange} />
+        )}
+      </div>
+      <div class="told" id={`${id}-told`}>
+        <Told report={report} before={lead} />
+      </div>
+    </li>
+  );
+}
+
+const numberOf = (at: number) => String(at + 1);
+
+/** A text of an observation, with the place of a problem marked in it. */
+function Text({
+  id,
+  of,
+  name,
+  text,
+  problem,
+  isWrong,
+  describedBy,
+  onInput,
+  onDone,
+}: {
+  id: string;
+  of: string;
+  name: TextName;
+  text: string;
+  problem: Problem | undefined;
+  isWrong: boolean;
+  describedBy: string;
+  onInput: (text: string) => void;
+  /** What the Enter key does; it starts a new line where this is absent. */
+  onDone: (() => void) | undefined;
+}) {
+  const mirror = useRef<HTMLPreElement>(null);
+  const symbol = symbolOf[fieldOf[name]];
+  return (
+    <div class={`field field-${name === "printed" ? "printed" : "input"}`}>
+      <div class="field-box">
+        <label for={id} class="field-label">
+          <span class="visually-hidden">{of} </span>
+          {name === "printed" ? symbol : <var>{symbol}</var>}
+        </label>
+        <div class="field-text">
+          <pre class="field-mirror" aria-hidden="true" ref={mirror}>
+            {problem ? <Marked text={text} problem={problem} /> : text}
+            {"\n"}
+          </pre>
+          <textarea
+            id={id}
+            rows={1}
+            spellcheck={false}
+            autocomplete="off"
+            autocapitalize="off"
+            value={text}
+            aria-invalid={problem !== undefined || isWrong}
+            aria-describedby={describedBy}
+            onInput={(event) => onInput(event.currentTarget.value)}
+            onKeyDown={(event) => {
+              if (event.key !== "Enter" || event.shiftKey || event.isComposing || !onDone) return;
+              event.preventDefault();
+              onDone();
+            }}
+            onScroll={(event) => {
+              if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
+            }}
+          />
+        </div>
+      </div>
+    </div>
+  );
+}
+
+const layoutNames: Record<MatrixLayout, string> = {
+  rows: "row by row",
+  columns: "column by column",
+  unknown: "not sure",
+};
+
+/** How nine numbers run. */
+function Layout({
+  probe,
+  at,
+  onChange,
+}: {
+  probe: Probe & { probe: "matrix" | "from-matrix" };
+  at: number;
+  onChange: (probe: Probe) => void;
+}) {
+  return (
+    <label class="layout">
+      <span class="visually-hidden">observation {at + 1} </span>nine numbers{" "}
+      <select
+        value={probe.layout ?? "rows"}
+        onChange={(event) => {
+          const layout = layouts.find((name) => name === event.currentTarget.value);
+          if (layout) onChange({ ...probe, layout });
+        }}
+      >
+        {layouts.map((layout) => (
+          <option key={layout} value={layout}>
+            {layoutNames[layout]}
+          </option>
+        ))}
+      </select>
+    </label>
+  );
+}
+
+/** Farther from every behaviour than this, numbers were rounded. */
+const rounded = 1e-6;
+
+/** What an observation tells, or why it tells nothing. */
+function Told({
+  report,
+  before = "Not answered yet.",
+}: {
+  report: ObservationReport | undefined;
+  before?: string | undefined;
+}) {
+  switch (report?.status) {
+    case undefined:
+    case "empty":
+      return <p>{before}</p>;
+    case "problem": {
+      const { message, expected, hint } = report.problem;
+      return (
+        <p class="problem">
+          <span class="problem-message">{message}.</span> <span class="problem-key">Expected</span>{" "}
+          {expected}. <span class="problem-key">Try</span> {hint}.
+        </p>
+      );
+    }
+    case "unexplained":
+      return (
+        <p class="problem">
+          <span class="problem-message">
+            No behaviour prints this
+            {report.distance === undefined
+              ? ": it has no direction."
+              : `; the nearest is off by ${percent(report.distance)} of its size.`}
+          </span>{" "}
+          <span class="problem-key">Look for</span> {unexplainedAdvice.join("; ")}.
+        </p>
+      );
+    case "told":
+      return (
+        <p>
+          {report.settles.length === 0 ? (
+            "Settles no choice by itself"
+          ) : (
+            <>
+              Settles{" "}
+              <strong>{listed(report.settles.map((choice) => choiceWords[choice].about))}</strong>
+            </>
+          )}
+          ; {report.possible} of 128 behaviours print this.
+          {report.distance > rounded && ` Rounded: off by ${percent(report.distance)}.`}
+        </p>
+      );
+  }
+}
+
+/** `0.05 %`, two digits. */
+function percent(part: number): string {
+  return `${Number((100 * part).toPrecision(2))} %`;
+}

@@ -6,7 +6,7 @@ use crate::observation::{Numbers, Printed, Question};
 use crate::parse::{ParsedRotation, parse_quaternion, parse_rotation, parse_vector};
 use crate::perturbation::exponential;
 use crate::probe::Probe;
-use crate::problem::{Field, Problem, Span};
+use crate::problem::{Field, Problem, ProblemCode, Span};
 use crate::report::OrderSource;
 use nalgebra::{Matrix3, Quaternion};
 
@@ -97,10 +97,11 @@ fn decimals(text: &str) -> usize {
 
 /// Four numbers: with names where the text tells which is which, and else as they stand.
 fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
-    let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst)?;
+    let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
     let Quaternion { coords } = parsed.quaternion;
     if coords.amax() == 0.0 {
-        return Err(Fault::zero_quaternion(Span::of_trimmed(text)).in_field(field));
+        let fault = Fault::zero_quaternion(Span::of_trimmed(text));
+        return Err(of_numbers(fault.in_field(field)));
     }
     Ok(match parsed.order_source {
         OrderSource::Declared => Numbers::AsWritten([coords.w, coords.x, coords.y, coords.z]),
@@ -108,13 +109,43 @@ fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
     })
 }
 
+/// Only numbers are wanted here, not any description of a rotation.
+fn of_numbers(problem: Problem) -> Problem {
+    let is_of_rotations = matches!(
+        problem.code,
+        ProblemCode::EmptyText
+            | ProblemCode::WrongCount
+            | ProblemCode::ZeroQuaternion
+            | ProblemCode::NotAQuaternion
+    );
+    if !is_of_rotations {
+        return problem;
+    }
+    Problem {
+        expected: "the four numbers of a quaternion, not all zero, as they were put in or printed"
+            .to_owned(),
+        hint: "0.5 0.5 0.5 0.5, or with names w: 0.5, x: 0.5, y: 0.5, z: 0.5".to_owned(),
+        ..problem
+    }
+}
+
 fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
-    match parse_rotation(text, field, ComponentOrder::ScalarFirst)? {
-        ParsedRotation::Matrix(entries) => Ok(entries),
-        other => {
-            let fault = Fault::not_a_matrix(Span::of_trimmed(text), other.in_words());
-            Err(fault.in_field(field))
+    let not_a_matrix = |what| {
+        let fault = Fault::not_a_matrix(Span::of_trimmed(text), what);
+        fault.in_field(field)
+    };
+    match parse_rotation(text, field, ComponentOrder::ScalarFirst) {
+        Ok(ParsedRotation::Matrix(entries)) => Ok(entries),
+        Ok(other) => Err(not_a_matrix(other.in_words())),
+        Err(problem) if problem.code == ProblemCode::WrongCount => {
+            let Problem { message, span, .. } = problem;
+            Err(Problem {
+                message,
+                span,
+                ..not_a_matrix("")
+            })
         }
+        Err(problem) => Err(problem),
     }
 }
 

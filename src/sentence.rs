@@ -93,7 +93,8 @@ const fn symbol(form: CosineMatrix) -> &'static str {
     }
 }
 
-/// Printed as it acts, a matrix is for columns; printed as the transpose of that, for rows.
+/// Printed as it acts, a matrix is for columns. Printed as the transpose of that, it may be for rows, or
+/// the inverse: which, the numbers do not tell.
 fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
     let symbol = match form {
         CosineMatrix::Hamilton => "R(q)",
@@ -102,7 +103,7 @@ fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
     let vectors = match rotate {
         None => "",
         Some(rotate) if rotate == form => " (for column vectors)",
-        Some(_) => " (for row vectors)",
+        Some(_) => ", the transpose of what rotates (for row vectors, or the inverse)",
     };
     format!("prints {symbol} as the matrix of q{vectors}")
 }

@@ -336,3 +336,34 @@ fn the_sentence_says_what_is_settled_and_what_is_not() {
          Not settled: what its matrix is."
     );
 }
+
+/// What was printed is numbers: other descriptions of a rotation are not proposed.
+#[wasm_bindgen_test(unsupported = test)]
+fn problems_of_printed_numbers_ask_for_numbers() {
+    let quarter_turn = |printed: &str| Probe::QuarterTurn {
+        printed: printed.to_owned(),
+    };
+    let matrix = |printed: &str| Probe::Matrix {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        printed: printed.to_owned(),
+        layout: MatrixLayout::Rows,
+    };
+    let probes = vec![
+        quarter_turn("1 0 0"),
+        quarter_turn("0 0 0 0"),
+        quarter_turn("45deg about z"),
+        matrix("1 0 0 1"),
+        matrix("1 0 0, 0 1 0"),
+    ];
+    for (at, report) in identify(probes).observations.iter().enumerate() {
+        let ObservationReport::Problem(found) = report else {
+            panic!("{at}: {report:?}")
+        };
+        let expected = if at < 3 {
+            "four numbers of a quaternion"
+        } else {
+            "nine numbers"
+        };
+        assert!(found.problem.expected.contains(expected), "{at}: {found:?}");
+    }
+}

@@ -135,6 +135,7 @@ test("swapping the sides mirrors the result", async ({ page }) => {
     await strip(page, 0).allTextContents(),
     await strip(page, 1).allTextContents(),
   ];
+  await expect(strip(page, 1).first()).toBeVisible();
   const before = await columns();
   await tabTo(page, page.getByRole("button", { name: "Swap sides" }));
   await page.keyboard.press("Enter");

@@ -169,13 +169,13 @@ function GroupRows({
 function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; store: Store }) {
   const { family, first } = establishedOf(store.engine.endOf(library.id));
   const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
-  const { array, handedness, matrix, vectors } = library;
+  const { arrayOrder, handedness, matrix, vectors } = library;
   const constructed = library.constructorOrder && lettersOf[library.constructorOrder];
   const isOther = ordersOf(library).length === 2;
   const cells = [
     library.version,
     knownWords[library.known][0],
-    array && lettersOf[array],
+    arrayOrder && lettersOf[arrayOrder],
     isOther ? <strong>{constructed}</strong> : constructed,
     handedness && productWords[handedness],
     library.rotate && `${library.rotate}(q)`,

@@ -129,13 +129,13 @@ impl Behaviour {
         }
     }
 
-    /// Whether a record says nothing else.
+    /// Whether a record says nothing else; how it rotates may be told by its matrix alone.
     #[must_use]
     pub fn is_of(&self, library: &Library) -> bool {
         agrees(library.constructor_order, self.constructor)
             && agrees(library.array_order, self.array)
             && agrees(library.handedness, self.handedness)
-            && agrees(library.rotate, self.rotate)
+            && agrees(library.action(), self.rotate)
             && agrees(library.matrix, self.matrix)
     }
 }
@@ -148,7 +148,7 @@ impl Library {
             (BehaviourAxis::Constructor, self.constructor_order.is_none()),
             (BehaviourAxis::Array, self.array_order.is_none()),
             (BehaviourAxis::Handedness, self.handedness.is_none()),
-            (BehaviourAxis::Rotate, self.rotate.is_none()),
+            (BehaviourAxis::Rotate, self.action().is_none()),
             (BehaviourAxis::Matrix, self.matrix.is_none()),
         ];
         let missing = choices.into_iter().filter(|(_, is_missing)| *is_missing);

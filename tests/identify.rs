@@ -6,9 +6,9 @@ mod simulated;
 
 use common::wasm_bindgen_test;
 use quatlas::{
-    Behaviour, BehaviourAxis, ComponentSign, CosineMatrix, Direction, Function, Handedness,
-    IdentifyReport, IdentifyRequest, Labels, MatrixLayout, ObservationReport, Outcome, Probe,
-    ProbeKind, Request, Side, analyze,
+    Behaviour, BehaviourAxis, ComponentOrder, ComponentSign, CosineMatrix, Direction, Function,
+    Handedness, IdentifyReport, IdentifyRequest, Labels, LibraryMatch, MatrixLayout,
+    ObservationReport, Outcome, Probe, ProbeKind, Request, Side, analyze,
 };
 use simulated::{Noise, Simulated, every_probe};
 
@@ -311,6 +311,70 @@ fn what_cannot_be_run_is_not_asked_again() {
     }
     assert_eq!(asked[0], ProbeKind::Product);
     assert_eq!(asked.len(), 7, "every kind once: {asked:?}");
+}
+
+/// OpenVINS has no call that rotates, but its matrix is for columns: it does not rotate by R(q).
+#[wasm_bindgen_test(unsupported = test)]
+fn the_records_that_match_come_with_those_first_that_say_most() {
+    let behaviour = Behaviour {
+        handedness: Handedness::Left,
+        constructor: ComponentOrder::ScalarLast,
+        array: ComponentOrder::ScalarLast,
+        matrix: CosineMatrix::Shuster,
+        ..hamilton_scalar_first()
+    };
+    let matches = |rotate| {
+        let mut library = Simulated::new(
+            Behaviour {
+                rotate,
+                ..behaviour
+            },
+            Noise::None,
+            5,
+        );
+        let answers = every_probe()
+            .iter()
+            .map(|probe| library.answer(probe))
+            .collect();
+        identify(answers).libraries
+    };
+    let has = |found: &[LibraryMatch], id: &str| found.iter().any(|library| library.id == id);
+    let row_vectors = matches(CosineMatrix::Hamilton);
+    assert!(has(&row_vectors, "directxmath") && !has(&row_vectors, "openvins"));
+    let jpl = matches(CosineMatrix::Shuster);
+    assert!(has(&jpl, "openvins") && !has(&jpl, "directxmath"));
+    for found in [row_vectors, jpl] {
+        assert!(found[0].unestablished.is_empty());
+        assert!(found.is_sorted_by_key(|library| library.unestablished.len()));
+        assert!(
+            found
+                .iter()
+                .any(|library| !library.unestablished.is_empty())
+        );
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_sentence_says_which_vectors_a_matrix_is_for() {
+    let sentence = |rotate, matrix| {
+        let behaviour = Behaviour {
+            rotate,
+            matrix,
+            ..hamilton_scalar_first()
+        };
+        let mut library = Simulated::new(behaviour, Noise::None, 3);
+        let answers = every_probe()
+            .iter()
+            .map(|probe| library.answer(probe))
+            .collect();
+        identify(answers).sentence
+    };
+    let (r, c) = (CosineMatrix::Hamilton, CosineMatrix::Shuster);
+    assert!(sentence(r, r).contains("prints R(q) as the matrix of q (for column vectors)"));
+    assert!(sentence(c, c).contains("prints C(q) as the matrix of q (for column vectors)"));
+    assert!(sentence(r, c).contains("prints C(q) as the matrix of q, the transpose"));
+    assert!(sentence(r, r).ends_with("That is Hamilton."));
+    assert!(sentence(c, c).contains("That is not all Hamilton"));
 }
 
 #[wasm_bindgen_test(unsupported = test)]

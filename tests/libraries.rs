@@ -16,7 +16,7 @@ use quatlas::{
 };
 use recorded::{
     SINGLE_PRECISION, assert_same_rotation, components, for_each, matrix, numbers, of, product,
-    quaternion, recorded, vector,
+    product_of_turns, quaternion, recorded, vector,
 };
 use std::collections::HashSet;
 
@@ -368,30 +368,6 @@ fn a_turn_about_z() {
         let expected = [cos, 0.0, 0.0, sign * sin];
         assert_close(&library.id, &components(&printed), &expected, 1e-3);
     });
-}
-
-/// `Rz(c) Ry(-b) Rx(a)` with numbers for the letters.
-fn product_of_turns(means: &str, angles: &[f64]) -> Matrix3<f64> {
-    means
-        .split_whitespace()
-        .fold(Matrix3::identity(), |product, factor| {
-            let inner = factor.trim_start_matches('R').trim_end_matches(')');
-            let (axis, angle) = inner.split_once('(').expect(means);
-            let letter = angle.trim_start_matches('-');
-            let size = angles[["a", "b", "c"]
-                .iter()
-                .position(|name| *name == letter)
-                .expect(means)];
-            let axis = match axis {
-                "x" => Vector3::x(),
-                "y" => Vector3::y(),
-                "z" => Vector3::z(),
-                _ => panic!("{means}"),
-            };
-            let turn =
-                Rotation::from_axis_angle(axis.into(), if angle == letter { size } else { -size });
-            product * turn.expect("finite").body_to_world_matrix()
-        })
 }
 
 #[wasm_bindgen_test(unsupported = test)]

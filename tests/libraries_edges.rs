@@ -4,13 +4,16 @@ mod common;
 #[path = "common/recorded.rs"]
 mod recorded;
 
-use common::wasm_bindgen_test;
+use common::{assert_close, wasm_bindgen_test};
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
-    Convention, CosineMatrix, HalfTurns, NonUnitResult, Rotation, SignChoice, SlerpWay,
-    TaggedQuaternion, ZeroResult,
+    ComponentOrder, Convention, CosineMatrix, Field, HalfTurns, NonUnitResult, ParsedRotation,
+    Rotation, SignChoice, SlerpWay, TaggedQuaternion, ZeroResult, libraries, parse_rotation,
 };
-use recorded::{SINGLE_PRECISION, assert_same_rotation, for_each, numbers, of, quaternion, vector};
+use recorded::{
+    SINGLE_PRECISION, assert_same_rotation, for_each, numbers, of, product_of_turns, quaternion,
+    vector,
+};
 use serde_json::Value;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -210,4 +213,54 @@ fn slerp_goes_the_short_or_the_long_way() {
         };
         assert_eq!(Some(way), library.slerp, "{}", library.id);
     });
+}
+
+/// The parser reads some of the calls with Euler angles: it must mean what the library printed.
+#[wasm_bindgen_test(unsupported = test)]
+fn euler_calls_that_are_read_mean_what_was_printed() {
+    let mut read = Vec::new();
+    for library in libraries() {
+        for call in &library.euler {
+            let is_in_degrees = call.call.contains("degrees");
+            let angles = if is_in_degrees {
+                [17.0, 28.0, 40.0]
+            } else {
+                [0.3, 0.5, 0.7]
+            };
+            let text = with_numbers(call.call.split(" in degrees").next().expect("one"), angles);
+            let Ok(parsed) = parse_rotation(&text, Field::Quaternion, ComponentOrder::ScalarLast)
+            else {
+                continue;
+            };
+            let ParsedRotation::EulerAngles(euler) = parsed else {
+                panic!("{text}: {parsed:?}")
+            };
+            let got = Rotation::from_euler_rad(euler.sequence, euler.angles_rad).expect("finite");
+            let radians = if is_in_degrees {
+                angles.map(f64::to_radians)
+            } else {
+                angles
+            };
+            let expected = product_of_turns(&call.means, &radians);
+            let got = got.body_to_world_matrix();
+            assert_close(&text, got.as_slice(), expected.as_slice(), 1e-12);
+            read.push(text);
+        }
+    }
+    assert!(read.len() > 30, "{read:#?}");
+}
+
+/// The letters a, b, c, each alone, replaced by numbers.
+fn with_numbers(call: &str, angles: [f64; 3]) -> String {
+    let letters: Vec<char> = call.chars().collect();
+    let is_word = |at: Option<&char>| at.is_some_and(|c| c.is_alphanumeric() || *c == '_');
+    let mut text = String::new();
+    for (at, &letter) in letters.iter().enumerate() {
+        let is_alone = !is_word(letters.get(at + 1)) && (at == 0 || !is_word(letters.get(at - 1)));
+        match "abc".find(letter) {
+            Some(place) if is_alone => text += &format!("{:?}", angles[place]),
+            _ => text.push(letter),
+        }
+    }
+    text
 }

@@ -3,7 +3,9 @@
 
 use crate::common::assert_close;
 use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
-use quatlas::{CosineMatrix, Handedness, Library, hamilton_product, jpl_product, library};
+use quatlas::{
+    CosineMatrix, Handedness, Library, Rotation, hamilton_product, jpl_product, library,
+};
 use serde_json::Value;
 
 /// Some of the libraries compute in single precision.
@@ -93,4 +95,28 @@ pub(crate) fn product(
 
 pub(crate) fn of(form: CosineMatrix, q: &Quaternion<f64>) -> Matrix3<f64> {
     form.of(q).expect("not zero")
+}
+
+/// `Rz(c) Ry(-b) Rx(a)` with numbers for the letters.
+pub(crate) fn product_of_turns(means: &str, angles: &[f64]) -> Matrix3<f64> {
+    means
+        .split_whitespace()
+        .fold(Matrix3::identity(), |product, factor| {
+            let inner = factor.trim_start_matches('R').trim_end_matches(')');
+            let (axis, angle) = inner.split_once('(').expect(means);
+            let letter = angle.trim_start_matches('-');
+            let size = angles[["a", "b", "c"]
+                .iter()
+                .position(|name| *name == letter)
+                .expect(means)];
+            let axis = match axis {
+                "x" => Vector3::x(),
+                "y" => Vector3::y(),
+                "z" => Vector3::z(),
+                _ => panic!("{means}"),
+            };
+            let turn =
+                Rotation::from_axis_angle(axis.into(), if angle == letter { size } else { -size });
+            product * turn.expect("finite").body_to_world_matrix()
+        })
 }

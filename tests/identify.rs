@@ -313,7 +313,7 @@ fn what_cannot_be_run_is_not_asked_again() {
     assert_eq!(asked.len(), 7, "every kind once: {asked:?}");
 }
 
-/// OpenVINS has no call that rotates, but its matrix is for columns: it does not rotate by R(q).
+/// ``OpenVINS`` has no call that rotates, but its matrix is for columns: it does not rotate by R(q).
 #[wasm_bindgen_test(unsupported = test)]
 fn the_records_that_match_come_with_those_first_that_say_most() {
     let behaviour = Behaviour {

@@ -9,10 +9,10 @@ mod common;
 mod recorded;
 
 use common::{assert_close, wasm_bindgen_test};
-use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
+use quatlas::nalgebra::{Quaternion, Vector3};
 use quatlas::{
     AxisAngleSign, ComponentOrder, Convention, CosineMatrix, Direction, Family, Handedness, Known,
-    Library, Rotation, Side, TaggedQuaternion, VectorLayout, libraries, library,
+    Library, Side, TaggedQuaternion, VectorLayout, libraries, library,
 };
 use recorded::{
     SINGLE_PRECISION, assert_same_rotation, components, for_each, matrix, numbers, of, product,

@@ -53,6 +53,11 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         next_probe(request, &possible, &told_kinds).or_else(|| next_probe(request, &possible, &[]));
     IdentifyReport {
         next,
+        codes: request
+            .observations
+            .iter()
+            .map(|probe| code(probe, request.language))
+            .collect(),
         possible: possible.len(),
         settled: left.settled(),
         labels: labels(&left.direction),
@@ -294,7 +299,7 @@ fn next_probe(
     }
     let ((_, leaves), probe, answers) = best?;
     Some(NextProbe {
-        code: code(&probe, request.language),
+        code: code(&probe, request.language).unwrap_or_default(),
         language: request.language,
         probe,
         answers,

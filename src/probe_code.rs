@@ -138,8 +138,9 @@ const SWIFT: Idiom = Idiom {
 /// What is done to the body before its quaternion is printed.
 const TURN: &str = "turn the body by +90 degrees about the vertical z axis of the world";
 
-/// The probe in a language: what goes in, what is called, printed.
-pub(crate) fn code(probe: &Probe, language: Language) -> String {
+/// The probe in a language: what goes in, what is called, printed; `None` where what goes in is not
+/// written as plain numbers.
+pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
     let idiom = match language {
         // A message has no calls; Python is what most of its tools are written in.
         Language::Python | Language::Message => PYTHON,
@@ -152,45 +153,47 @@ pub(crate) fn code(probe: &Probe, language: Language) -> String {
         Language::Rust => RUST,
         Language::Swift => SWIFT,
     };
-    let list = |text: &str| {
-        let numbers = text.split([' ', ',', ';']).filter(|part| !part.is_empty());
-        let written = numbers.map(|number| match language {
-            Language::Rust if !number.contains('.') => format!("{number}.0"),
-            _ => number.to_owned(),
+    let list = |text: &str, count: usize| {
+        let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
+        let numbers = text.split(separators).filter(|part| !part.is_empty());
+        let written = numbers.map(|number| {
+            number.parse::<f64>().ok()?;
+            Some(match language {
+                Language::Rust if !number.contains('.') => format!("{number}.0"),
+                _ => number.to_owned(),
+            })
         });
-        written.collect::<Vec<_>>()
+        let written = written.collect::<Option<Vec<_>>>()?;
+        (written.len() == count).then_some(written)
     };
-    let quaternion = |text: &str| idiom.quaternion.replace("{n}", &list(text).join(", "));
-    let vector = |text: &str| idiom.vector.replace("{n}", &list(text).join(", "));
+    let quaternion = |text: &str| Some(idiom.quaternion.replace("{n}", &list(text, 4)?.join(", ")));
+    let vector = |text: &str| Some(idiom.vector.replace("{n}", &list(text, 3)?.join(", ")));
     let matrix = |text: &str| {
-        let numbers = list(text);
+        let numbers = list(text, 9)?;
         let rows: Vec<String> = numbers.chunks(3).map(|row| row.join(", ")).collect();
         let row = |at: usize| rows.get(at).cloned().unwrap_or_default();
-        idiom
-            .matrix
-            .replace("{r1}", &row(0))
-            .replace("{r2}", &row(1))
-            .replace("{r3}", &row(2))
+        let rows = idiom.matrix.replace("{r1}", &row(0));
+        Some(rows.replace("{r2}", &row(1)).replace("{r3}", &row(2)))
     };
     let expression = match probe {
-        Probe::Components { quaternion: q, .. } => quaternion(q),
+        Probe::Components { quaternion: q, .. } => quaternion(q)?,
         Probe::Product { a, b, .. } => idiom
             .product
-            .replace("{a}", &quaternion(a))
-            .replace("{b}", &quaternion(b)),
+            .replace("{a}", &quaternion(a)?)
+            .replace("{b}", &quaternion(b)?),
         Probe::Rotate {
             quaternion: q,
             vector: v,
             ..
         } => idiom
             .rotate
-            .replace("{q}", &quaternion(q))
-            .replace("{v}", &vector(v)),
-        Probe::Matrix { quaternion: q, .. } => idiom.matrix_of.replace("{q}", &quaternion(q)),
-        Probe::FromMatrix { matrix: m, .. } => idiom.from_matrix.replace("{m}", &matrix(m)),
+            .replace("{q}", &quaternion(q)?)
+            .replace("{v}", &vector(v)?),
+        Probe::Matrix { quaternion: q, .. } => idiom.matrix_of.replace("{q}", &quaternion(q)?),
+        Probe::FromMatrix { matrix: m, .. } => idiom.from_matrix.replace("{m}", &matrix(m)?),
         Probe::QuarterTurn { .. } => {
             let print = idiom.print.replace("{e}", "body.orientation");
-            return format!("{} {TURN}, then:\n{print}", idiom.comment);
+            return Some(format!("{} {TURN}, then:\n{print}", idiom.comment));
         }
         Probe::Perturb {
             quaternion: q,
@@ -198,8 +201,8 @@ pub(crate) fn code(probe: &Probe, language: Language) -> String {
             ..
         } => idiom
             .perturb
-            .replace("{q}", &quaternion(q))
-            .replace("{v}", &vector(v)),
+            .replace("{q}", &quaternion(q)?)
+            .replace("{v}", &vector(v)?),
     };
-    idiom.print.replace("{e}", &expression)
+    Some(idiom.print.replace("{e}", &expression))
 }

@@ -18,6 +18,8 @@ use serde::{Deserialize, Serialize};
 pub struct IdentifyReport {
     /// What became of each observation, in their order.
     pub observations: Vec<ObservationReport>,
+    /// Each observation as a line of code; absent where what went in is not written as plain numbers.
+    pub codes: Vec<Option<String>>,
     /// How many of the 128 behaviours are still possible.
     pub possible: usize,
     /// The values of each choice that are still possible.

@@ -7,7 +7,7 @@ mod simulated;
 use common::wasm_bindgen_test;
 use quatlas::{
     Behaviour, BehaviourAxis, ComponentOrder, ComponentSign, CosineMatrix, Direction, Function,
-    Handedness, IdentifyReport, IdentifyRequest, Labels, LibraryMatch, MatrixLayout,
+    Handedness, IdentifyReport, IdentifyRequest, Labels, Language, LibraryMatch, MatrixLayout,
     ObservationReport, Outcome, Probe, ProbeKind, Request, Side, analyze,
 };
 use simulated::{Noise, Simulated, every_probe};
@@ -430,4 +430,56 @@ fn problems_of_printed_numbers_ask_for_numbers() {
         };
         assert!(found.problem.expected.contains(expected), "{at}: {found:?}");
     }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_probe_is_a_line_of_code_in_every_language() {
+    let code = |probe: &Probe, language| {
+        let mut request = IdentifyRequest::new(vec![probe.clone()]);
+        request.language = language;
+        answer(request).codes.pop().expect("one")
+    };
+    let languages = [
+        Language::C,
+        Language::Cpp,
+        Language::Csharp,
+        Language::Java,
+        Language::Javascript,
+        Language::Matlab,
+        Language::Message,
+        Language::Python,
+        Language::Rust,
+        Language::Swift,
+    ];
+    for probe in every_probe() {
+        for language in languages {
+            let line = code(&probe, language).expect("plain numbers");
+            let is_whole = ![
+                "{n}", "{q}", "{a}", "{b}", "{v}", "{m}", "{e}", "{r1}", "{r2}", "{r3}",
+            ]
+            .iter()
+            .any(|place| line.contains(place));
+            assert!(is_whole, "{line}");
+            let numbers: &[&str] = match probe.kind() {
+                ProbeKind::QuarterTurn => &["+90 degrees"],
+                ProbeKind::Product => &["0.1, 0.7, -0.5, 0.5", "0.8, 0.2, -0.4, 0.4"],
+                ProbeKind::FromMatrix => &["0.36, -0.48, 0.8"],
+                _ => &["0.1, 0.7, -0.5, 0.5"],
+            };
+            for number in numbers {
+                assert!(line.contains(number), "{line}");
+            }
+        }
+    }
+    let product = |a: &str| Probe::Product {
+        a: a.to_owned(),
+        b: "[0, 0, 1, 0]".to_owned(),
+        printed: String::new(),
+    };
+    let expected = "println!(\"{:?}\", Quaternion::new(0.0, 1.0, 0.0, 0.0) * Quaternion::new(0.0, 0.0, 1.0, 0.0));";
+    assert_eq!(
+        code(&product("0 1 0 0"), Language::Rust).as_deref(),
+        Some(expected)
+    );
+    assert_eq!(code(&product("i"), Language::Rust), None);
 }

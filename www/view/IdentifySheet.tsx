@@ -4,7 +4,7 @@ import type { IdentifyReport, NextProbe, Probe, ProbeKind } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { Observation, printedId } from "./IdentifyObservation.tsx";
 import type { Answer } from "./identify_answer.ts";
-import { codeOf, isSameProbe, standardProbe } from "./identify_probe.ts";
+import { isSameProbe, standardProbe } from "./identify_probe.ts";
 import { choicesOfLibrary, kinds, listed, probeWords } from "./identify_words.ts";
 
 /** Where the answer can be reached from the last question. */
@@ -28,7 +28,7 @@ export function Sheet({
   answer: Answer;
   isExample: boolean;
 }) {
-  const { observations, language } = store.state.value;
+  const { observations } = store.state.value;
   const { report } = answer;
   const disagreeing = report.contradiction?.observations ?? [];
   const question = questionAfter(observations, answer);
@@ -68,7 +68,7 @@ export function Sheet({
               at={at}
               probe={probe}
               report={report.observations[at]}
-              code={isQuestion ? question?.code : codeOf(store.engine, probe, language)}
+              code={isQuestion ? question?.code : report.codes[at]}
               isQuestion={isQuestion}
               lead={isQuestion ? leadTo(report) : undefined}
               contradicts={

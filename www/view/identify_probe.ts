@@ -69,9 +69,3 @@ export function standardProbe(
   }
   return known.get(key);
 }
-
-/** The code of an observation; only what the core proposes has some. */
-export function codeOf(engine: Engine, probe: Probe, language: Language): string | undefined {
-  const standard = standardProbe(engine, probe.probe, language);
-  return standard && isSameProbe(standard.probe, probe) ? standard.code : undefined;
-}

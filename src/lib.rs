@@ -12,6 +12,10 @@
 //! [`TaggedQuaternion`], [`Rotation`]. What the words mean, with numbers that show it, is in
 //! [`convention`](mod@convention).
 //!
+//! What real libraries do is in [`library`](mod@library), a table of records that were run. Two requests
+//! use it: [`TranslateRequest`] takes an attitude from one library or convention to another, and
+//! [`IdentifyRequest`] tells which convention a library has from what it printed.
+//!
 //! # Sources
 //!
 //! Equations are cited by their documents: *Cheng 2018* (H. Cheng, "Standardised Use of Quaternion

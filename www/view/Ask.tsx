@@ -1,10 +1,11 @@
 // What is asked: text fields, the declared convention, the digits shown.
 import type { ComponentChildren } from "preact";
-import { useId, useRef } from "preact/hooks";
+import { useId } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
-import type { Field, Problem } from "../engine.ts";
+import type { Field } from "../engine.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { MoreAxes } from "./Axes.tsx";
+import { MarkedText } from "./MarkedText.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 type TextName = "quaternion" | "p" | "q" | "vector" | "translated" | "worldAxes" | "bodyAxes";
@@ -27,7 +28,6 @@ export function TextField({
   label?: string;
 }) {
   const id = useId();
-  const mirror = useRef<HTMLPreElement>(null);
   const text = store.state.value[name];
   const problem = store.problemOf(field);
   return (
@@ -37,27 +37,14 @@ export function TextField({
           <span class="visually-hidden">{label}</span>
           <var>{symbolOf[field]}</var>
         </label>
-        <div class="field-text">
-          <pre class="field-mirror" aria-hidden="true" ref={mirror}>
-            {problem ? <Marked text={text} problem={problem} /> : text}
-            {"\n"}
-          </pre>
-          <textarea
-            id={id}
-            name={name}
-            rows={1}
-            spellcheck={false}
-            autocomplete="off"
-            autocapitalize="off"
-            value={text}
-            aria-invalid={problem !== undefined}
-            aria-describedby={problem && problemId(field)}
-            onInput={(event) => store.set({ [name]: event.currentTarget.value })}
-            onScroll={(event) => {
-              if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
-            }}
-          />
-        </div>
+        <MarkedText
+          id={id}
+          name={name}
+          text={text}
+          problem={problem}
+          describedBy={problem && problemId(field)}
+          onInput={(typed) => store.set({ [name]: typed })}
+        />
       </div>
     </div>
   );
@@ -135,18 +122,6 @@ function standsBelow(freshness: Freshness | undefined): string {
   return freshness === "opening"
     ? "What stands below is the example that the page opens with."
     : "What stands below is the last result, from before this problem.";
-}
-
-/** The text with the place of the problem marked; a place of no width takes what stands there. */
-export function Marked({ text, problem }: { text: string; problem: Problem }) {
-  const { start, end } = problem.span;
-  return (
-    <>
-      {text.slice(0, start)}
-      <mark>{start === end ? " " : text.slice(start, end)}</mark>
-      {text.slice(end)}
-    </>
-  );
 }
 
 const presets: Preset[] = ["hamilton", "jpl"];

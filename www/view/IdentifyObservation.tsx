@@ -1,11 +1,10 @@
 // One observation: what to run, what went in, what was printed, and what that tells.
 import type { ComponentChildren } from "preact";
-import { useRef } from "preact/hooks";
 import { layouts } from "../address_probes.ts";
 import type { MatrixLayout, ObservationReport, Probe, Problem } from "../engine.ts";
-import { Marked } from "./Ask.tsx";
 import { fieldOf, inputsOf, type TextName, textOf, withText } from "./identify_probe.ts";
 import { choiceWords, listed, probeWords, unexplainedAdvice } from "./identify_words.ts";
+import { MarkedText } from "./MarkedText.tsx";
 import { Copy } from "./Value.tsx";
 import { symbolOf } from "./words.ts";
 
@@ -125,7 +124,6 @@ function Text({
   /** What the Enter key does; it starts a new line where this is absent. */
   onDone: (() => void) | undefined;
 }) {
-  const mirror = useRef<HTMLPreElement>(null);
   const symbol = symbolOf[fieldOf[name]];
   return (
     <div class={`field field-${name === "printed" ? "printed" : "input"}`}>
@@ -134,31 +132,15 @@ function Text({
           <span class="visually-hidden">{of} </span>
           {name === "printed" ? symbol : <var>{symbol}</var>}
         </label>
-        <div class="field-text">
-          <pre class="field-mirror" aria-hidden="true" ref={mirror}>
-            {problem ? <Marked text={text} problem={problem} /> : text}
-            {"\n"}
-          </pre>
-          <textarea
-            id={id}
-            rows={1}
-            spellcheck={false}
-            autocomplete="off"
-            autocapitalize="off"
-            value={text}
-            aria-invalid={problem !== undefined || isWrong}
-            aria-describedby={describedBy}
-            onInput={(event) => onInput(event.currentTarget.value)}
-            onKeyDown={(event) => {
-              if (event.key !== "Enter" || event.shiftKey || event.isComposing || !onDone) return;
-              event.preventDefault();
-              onDone();
-            }}
-            onScroll={(event) => {
-              if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;
-            }}
-          />
-        </div>
+        <MarkedText
+          id={id}
+          text={text}
+          problem={problem}
+          isWrong={problem !== undefined || isWrong}
+          describedBy={describedBy}
+          onInput={onInput}
+          onEnter={onDone}
+        />
       </div>
     </div>
   );

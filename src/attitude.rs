@@ -4,6 +4,7 @@ use crate::angle::UnitSource;
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::euler_sequence::EulerSequence;
 use crate::kinematics::RateAxes;
+use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::nearest_rotation::NoNearestRotation;
 use crate::parse::{ParsedQuaternion, ParsedRotation, parse_rotation};
@@ -13,8 +14,8 @@ use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
     AngleUnitAssumed, Column, Components, Euler, Fact, Form, Normalised, Note, OrderAssumed,
     OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles, ReadGimbalLock, ReadMatrix,
-    ReadQuaternion, ReadRotationVector, Rules, Turn, UnknownConstructor, UsedNearestRotation,
-    coordinates, plain, rows3, rows4,
+    ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn, UnknownConstructor,
+    UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::{MatrixConvention, TaggedMatrix};
@@ -46,6 +47,8 @@ pub(crate) struct Attitude {
     parsed: Option<ParsedQuaternion>,
     /// How the unit of the angles was told, where there are any.
     unit: Option<UnitSource>,
+    /// What marks the rows of a matrix in the text.
+    pub(crate) row_marks: Option<RowMarks>,
     declared: Convention,
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
@@ -92,10 +95,12 @@ impl Attitude {
             }
         };
         let rotation = rotation.map_err(|_| in_field(Fault::too_large(span)))?;
+        let is_matrix = matches!(form, Form::Matrix(_));
         Ok(Self {
             form,
             parsed: None,
             unit,
+            row_marks: is_matrix.then(|| RowMarks::of(text)),
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
@@ -119,6 +124,7 @@ impl Attitude {
             form: Form::Quaternion,
             parsed: Some(parsed),
             unit: None,
+            row_marks: None,
             declared,
             tagged,
             rotation,
@@ -182,6 +188,9 @@ impl Attitude {
         if let Some(UnitSource::Assumed(unit)) = self.unit {
             facts.push(Fact::AngleUnitAssumed(AngleUnitAssumed { unit }));
         }
+        if self.row_marks == Some(RowMarks::None) {
+            facts.extend(self.rows_fact());
+        }
         if let Form::Matrix(matrix) = self.form
             && matrix.correction > SMALLEST_CORRECTION_TOLD
         {
@@ -204,6 +213,17 @@ impl Attitude {
             facts.push(Fact::HalfTurn);
         }
         facts.into_iter().map(|fact| Note { field, fact }).collect()
+    }
+
+    /// That rows were assumed, where columns would be another rotation.
+    pub(crate) fn rows_fact(&self) -> Option<Fact> {
+        let columns = self.rotation.inverse();
+        let differs_by = self.rotation.angle_to_rad(&columns);
+        (differs_by > UNIT_NORM_TOLERANCE).then(|| {
+            Fact::RowsAssumed(RowsAssumed {
+                columns_differ_by_deg: plain(differs_by.to_degrees()),
+            })
+        })
     }
 
     fn order_fact(&self) -> Option<Fact> {

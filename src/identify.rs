@@ -5,10 +5,10 @@
 
 use crate::behaviour::{Behaviour, BehaviourAxis};
 use crate::convention::{Direction, Function};
-use crate::library::libraries;
+use crate::library::{Language, libraries};
 use crate::observation::{Printed, Question};
 use crate::observe::{printed, question, rounding};
-use crate::probe::{MatrixLayout, Probe, ProbeKind};
+use crate::probe::{MatrixLayout, Probe};
 use crate::probe_code::code;
 use crate::report::{
     Contradiction, IdentifyReport, Labels, LibraryMatch, NextProbe, ObservationProblem,
@@ -25,18 +25,26 @@ const SINGLE_PRECISION: f64 = 1e-5;
 /// small turn to first order is up to this far from the exact one.
 const FIRST_ORDER: f64 = 2e-3;
 
-/// Of numbers with one decimal or none: how far they may be off at most.
+/// Of numbers with one decimal or none: how far the right ones may be off, and how far wrong ones are
+/// still believed to be rounded.
 const COARSEST: f64 = 0.05;
+const COARSEST_BELIEVED: f64 = 0.1;
 
 /// A behaviour that is this many times farther away than the nearest is not the one.
 const CLEARLY_FARTHER: f64 = 3.0;
 
-/// Rounding of the numbers that went in adds to that of those that came out.
-const ROUNDINGS: f64 = 4.0;
+/// Four or nine rounded numbers of norm 1 or √3 are together this many roundings off, and more where
+/// those that went in are rounded too.
+const ROUNDINGS: f64 = 2.0;
+const MOST_ROUNDINGS: f64 = 4.0;
 
 /// What can be said of a library, whatever was entered.
 pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
-    let read: Vec<Read> = request.observations.iter().map(Read::of).collect();
+    let read: Vec<Read> = request
+        .observations
+        .iter()
+        .map(|probe| Read::of(probe, request.language))
+        .collect();
     let told: Vec<(usize, &[Behaviour])> = read
         .iter()
         .enumerate()
@@ -44,13 +52,20 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         .collect();
     let possible = agreeing(&told);
     let left = remaining(&possible);
-    let told_kinds: Vec<ProbeKind> = told
-        .iter()
-        .map(|(at, _)| request.observations[*at].kind())
-        .collect();
-    // A kind that was told already is asked again only where no other can tell more.
-    let next =
-        next_probe(request, &possible, &told_kinds).or_else(|| next_probe(request, &possible, &[]));
+    // A kind that was told already is asked again only where no other can tell more, and the very same
+    // question never.
+    let was_told = |is_same: &dyn Fn(&Probe) -> bool| {
+        told.iter()
+            .any(|(at, _)| is_same(&request.observations[*at]))
+    };
+    let next = next_probe(request, &possible, &|probe| {
+        was_told(&|other| other.kind() == probe.kind())
+    })
+    .or_else(|| {
+        next_probe(request, &possible, &|probe| {
+            was_told(&|other| other.asks_the_same(probe))
+        })
+    });
     IdentifyReport {
         next,
         codes: request
@@ -77,13 +92,13 @@ struct Read {
 }
 
 impl Read {
-    fn of(probe: &Probe) -> Self {
+    fn of(probe: &Probe, language: Language) -> Self {
         let nothing = |report| Self {
             report,
             possible: None,
         };
         let problem = |problem| nothing(ObservationReport::Problem(ObservationProblem { problem }));
-        match (question(probe), printed(probe)) {
+        match (question(probe, language), printed(probe)) {
             (_, Ok(None)) => nothing(ObservationReport::Empty),
             (Err(found), _) | (_, Err(found)) => problem(found),
             (Ok(question), Ok(Some(printed))) => {
@@ -107,8 +122,9 @@ impl Read {
             .iter()
             .map(|(_, distance)| *distance)
             .fold(f64::INFINITY, f64::min);
+        let believed = (MOST_ROUNDINGS * rounding).min(COARSEST_BELIEVED);
         let rounding = (ROUNDINGS * rounding).min(COARSEST);
-        if nearest > FIRST_ORDER.max(ROUNDINGS * rounding) {
+        if nearest > FIRST_ORDER.max(believed) {
             let distance = nearest.is_finite().then_some(nearest);
             return Self {
                 report: ObservationReport::Unexplained(Unexplained { distance }),
@@ -243,11 +259,11 @@ fn standard_probes() -> [Probe; 7] {
         Probe::Matrix {
             quaternion: text("0.5 0.5 0.5 0.5"),
             printed: printed(),
-            layout: MatrixLayout::Rows,
+            layout: MatrixLayout::AsWritten,
         },
         Probe::FromMatrix {
             matrix: text("0 0 1; 1 0 0; 0 1 0"),
-            layout: MatrixLayout::Rows,
+            layout: MatrixLayout::AsWritten,
             printed: printed(),
         },
         Probe::Components {
@@ -263,19 +279,18 @@ fn standard_probes() -> [Probe; 7] {
     ]
 }
 
-/// The best of the standard probes, but for those of some kinds.
+/// The best of the standard probes, but for those that are left out.
 fn next_probe(
     request: &IdentifyRequest,
     possible: &[Behaviour],
-    without: &[ProbeKind],
+    is_left_out: &dyn Fn(&Probe) -> bool,
 ) -> Option<NextProbe> {
     let mut best: Option<((f64, f64), Probe, usize)> = None;
     for probe in standard_probes() {
-        let kind = probe.kind();
-        if request.unavailable.contains(&kind) || without.contains(&kind) {
+        if request.unavailable.contains(&probe.kind()) || is_left_out(&probe) {
             continue;
         }
-        let Ok(question) = question(&probe) else {
+        let Ok(question) = question(&probe, request.language) else {
             continue;
         };
         let answers = question.groups(possible);

@@ -244,6 +244,9 @@ mod translate;
 // What a library is asked, and what it may answer.
 mod observation;
 
+// What consoles write around numbers.
+mod console;
+
 // A probe in texts to numbers.
 mod observe;
 

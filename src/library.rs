@@ -424,3 +424,8 @@ pub(crate) fn family(handedness: Handedness, action: CosineMatrix) -> Family {
         (Handedness::Right, CosineMatrix::Shuster) => Family::TransposedMatrix,
     }
 }
+
+/// Whether matrices that libraries of a language print as lists of lists may be lists of columns.
+pub(crate) const fn stores_columns(language: Language) -> bool {
+    matches!(language, Language::C | Language::Cpp | Language::Rust)
+}

@@ -109,3 +109,31 @@ fn is_row(node: &Node<'_>) -> bool {
 fn is_number(node: &Node<'_>) -> bool {
     matches!(&node.kind, NodeKind::Value(value) if value.units.is_none())
 }
+
+/// What marks the rows of nine numbers in a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum RowMarks {
+    /// Lines, semicolons, or commas between rows of numbers with spaces.
+    Lines,
+    /// Brackets within brackets.
+    Brackets,
+    /// Nothing: the numbers stand in a row.
+    None,
+}
+
+impl RowMarks {
+    pub(crate) fn of(text: &str) -> Self {
+        let has_digits = |line: &&str| line.contains(|c: char| c.is_ascii_digit());
+        let lines = text.split(['\n', ';']).filter(has_digits).count();
+        let has_three = |part: &&str| part.split_whitespace().count() == 3;
+        let between_commas = text.split(',').filter(has_three).count();
+        let brackets = text.matches(['[', '(', '{']).count();
+        if lines >= 3 || between_commas == 3 {
+            Self::Lines
+        } else if brackets >= 3 {
+            Self::Brackets
+        } else {
+            Self::None
+        }
+    }
+}

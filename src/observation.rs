@@ -136,7 +136,7 @@ fn layouts(layout: MatrixLayout, matrix: Matrix3<f64>) -> impl Iterator<Item = M
     let (as_rows, as_columns) = match layout {
         MatrixLayout::Rows => (true, false),
         MatrixLayout::Columns => (false, true),
-        MatrixLayout::Unknown => (true, true),
+        MatrixLayout::AsWritten | MatrixLayout::Unknown => (true, true),
     };
     let rows = as_rows.then_some(matrix).into_iter();
     rows.chain(as_columns.then_some(matrix.transpose()))

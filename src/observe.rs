@@ -1,11 +1,14 @@
 //! A probe in texts to numbers.
 
+use crate::console;
 use crate::convention::ComponentOrder;
+use crate::library::{Language, stores_columns};
+use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::observation::{Numbers, Printed, Question};
 use crate::parse::{ParsedRotation, parse_quaternion, parse_rotation, parse_vector};
 use crate::perturbation::exponential;
-use crate::probe::Probe;
+use crate::probe::{MatrixLayout, Probe};
 use crate::problem::{Field, Problem, ProblemCode, Span};
 use crate::report::OrderSource;
 use nalgebra::{Matrix3, Quaternion};
@@ -14,7 +17,7 @@ use nalgebra::{Matrix3, Quaternion};
 const ROUNDED_DECIMALS: usize = 3;
 
 /// What goes in.
-pub(crate) fn question(probe: &Probe) -> Result<Question, Problem> {
+pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Problem> {
     Ok(match probe {
         Probe::Components { quaternion, .. } => {
             Question::Components(numbers(quaternion, Field::Quaternion)?)
@@ -29,13 +32,25 @@ pub(crate) fn question(probe: &Probe) -> Result<Question, Problem> {
             parse_vector(vector, Field::Vector)?,
         ),
         Probe::Matrix {
-            quaternion, layout, ..
-        } => Question::Matrix(numbers(quaternion, Field::Quaternion)?, *layout),
+            quaternion,
+            layout,
+            printed,
+        } => Question::Matrix(
+            numbers(quaternion, Field::Quaternion)?,
+            written_layout(*layout, printed, language),
+        ),
         Probe::FromMatrix {
             matrix: given,
             layout,
             ..
-        } => Question::FromMatrix(matrix(given, Field::Matrix)?, *layout),
+        } => {
+            // Whoever puts a matrix in knows its rows.
+            let layout = match layout {
+                MatrixLayout::AsWritten => MatrixLayout::Rows,
+                known => *known,
+            };
+            Question::FromMatrix(matrix(given, Field::Matrix)?, layout)
+        }
         Probe::QuarterTurn { .. } => Question::QuarterTurn,
         Probe::Perturb {
             quaternion,
@@ -48,6 +63,18 @@ pub(crate) fn question(probe: &Probe) -> Result<Question, Problem> {
     })
 }
 
+/// Lists of lists are rows, except in languages whose libraries print the columns that they store.
+fn written_layout(layout: MatrixLayout, printed: &str, language: Language) -> MatrixLayout {
+    match (layout, RowMarks::of(printed)) {
+        (MatrixLayout::AsWritten, RowMarks::Lines) => MatrixLayout::Rows,
+        (MatrixLayout::AsWritten, RowMarks::Brackets) if !stores_columns(language) => {
+            MatrixLayout::Rows
+        }
+        (MatrixLayout::AsWritten, _) => MatrixLayout::Unknown,
+        (known, _) => known,
+    }
+}
+
 /// What came out; `None` where nothing was entered yet.
 pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
     let text = probe.printed();
@@ -56,7 +83,9 @@ pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
     }
     let field = Field::Printed;
     Ok(Some(match probe {
-        Probe::Rotate { .. } => Printed::Vector(parse_vector(text, field)?),
+        Probe::Rotate { .. } => {
+            Printed::Vector(parse_vector(&console::without_wrappers(text), field)?)
+        }
         Probe::Matrix { .. } => Printed::Matrix(matrix(text, field)?),
         Probe::Components { .. }
         | Probe::Product { .. }
@@ -70,20 +99,9 @@ pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
 /// what went in, whichever is more.
 pub(crate) fn rounding(probe: &Probe) -> f64 {
     let half_unit = |decimals: usize| 0.5 * 0.1_f64.powf(decimals as f64);
-    let given: &[&str] = match probe {
-        Probe::Components { quaternion, .. }
-        | Probe::Matrix { quaternion, .. }
-        | Probe::Perturb { quaternion, .. } => &[quaternion],
-        Probe::Rotate {
-            quaternion, vector, ..
-        } => &[quaternion, vector],
-        Probe::Product { a, b, .. } => &[a, b],
-        Probe::FromMatrix { matrix, .. } => &[matrix],
-        Probe::QuarterTurn { .. } => &[],
-    };
-    let rounded = given
-        .iter()
-        .map(|text| decimals(text))
+    let inputs = probe.inputs().into_iter();
+    let rounded = inputs
+        .map(decimals)
         .filter(|&decimals| decimals >= ROUNDED_DECIMALS)
         .chain([decimals(probe.printed())]);
     rounded.min().map_or(0.0, half_unit)
@@ -97,15 +115,19 @@ fn decimals(text: &str) -> usize {
 
 /// Four numbers: with names where the text tells which is which, and else as they stand.
 fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
-    let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
+    let bare = console::without_wrappers(text);
+    let parsed = parse_quaternion(&bare, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
     let Quaternion { coords } = parsed.quaternion;
     if coords.amax() == 0.0 {
         let fault = Fault::zero_quaternion(Span::of_trimmed(text));
         return Err(of_numbers(fault.in_field(field)));
     }
-    Ok(match parsed.order_source {
-        OrderSource::Declared => Numbers::AsWritten([coords.w, coords.x, coords.y, coords.z]),
-        _ => Numbers::Named(parsed.quaternion),
+    let [w, x, y, z] = [coords.w, coords.x, coords.y, coords.z];
+    // A constructor by name tells nothing here: which order it takes is the question.
+    Ok(match (parsed.order_source, parsed.order) {
+        (OrderSource::Named | OrderSource::Grouped, _) => Numbers::Named(parsed.quaternion),
+        (_, ComponentOrder::ScalarFirst) => Numbers::AsWritten([w, x, y, z]),
+        (_, ComponentOrder::ScalarLast) => Numbers::AsWritten([x, y, z, w]),
     })
 }
 
@@ -134,7 +156,11 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
         let fault = Fault::not_a_matrix(Span::of_trimmed(text), what);
         fault.in_field(field)
     };
-    match parse_rotation(text, field, ComponentOrder::ScalarFirst) {
+    let bare = console::without_wrappers(text);
+    if let Some(entries) = console::homogeneous(&bare) {
+        return Ok(entries);
+    }
+    match parse_rotation(&bare, field, ComponentOrder::ScalarFirst) {
         Ok(ParsedRotation::Matrix(entries)) => Ok(entries),
         Ok(other) => Err(not_a_matrix(other.in_words())),
         Err(problem) if problem.code == ProblemCode::WrongCount => {

@@ -112,6 +112,39 @@ impl Probe {
         }
     }
 
+    /// What goes in, as texts.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<&str> {
+        match self {
+            Self::Components { quaternion, .. } | Self::Matrix { quaternion, .. } => {
+                vec![quaternion]
+            }
+            Self::Product { a, b, .. } => vec![a, b],
+            Self::Rotate {
+                quaternion, vector, ..
+            } => vec![quaternion, vector],
+            Self::FromMatrix { matrix, .. } => vec![matrix],
+            Self::QuarterTurn { .. } => Vec::new(),
+            Self::Perturb {
+                quaternion,
+                rotation_vector,
+                ..
+            } => vec![quaternion, rotation_vector],
+        }
+    }
+
+    /// Whether the same goes in, whatever comes out.
+    #[must_use]
+    pub fn asks_the_same(&self, other: &Self) -> bool {
+        let words = |probe: &Self| -> Vec<String> {
+            let inputs = probe.inputs().into_iter();
+            inputs
+                .map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "))
+                .collect()
+        };
+        self.kind() == other.kind() && words(self) == words(other)
+    }
+
     /// The text of a field; what was printed where it has no such field.
     #[must_use]
     pub fn text(&self, field: Field) -> &str {
@@ -157,8 +190,11 @@ impl Probe {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 pub enum MatrixLayout {
-    /// Row by row.
+    /// As the text shows: row by row where the rows stand on lines of their own, and in lists of lists,
+    /// which only in Rust, C and C++ may be columns as well; not known where nine numbers stand in a row.
     #[default]
+    AsWritten,
+    /// Row by row.
     Rows,
     /// Column by column.
     Columns,

@@ -34,6 +34,8 @@ pub enum Fact {
     UnknownConstructor(UnknownConstructor),
     /// The angles have no unit, so one was assumed.
     AngleUnitAssumed(AngleUnitAssumed),
+    /// Nothing marks the rows of nine numbers, so they were read row by row.
+    RowsAssumed(RowsAssumed),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
     /// The scalar is negative: −q is the same rotation and names the shorter turn.
@@ -94,6 +96,16 @@ pub struct UnknownConstructor {
 pub struct AngleUnitAssumed {
     /// The unit that was used.
     pub unit: AngleUnit,
+}
+
+/// The data of [`Fact::RowsAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct RowsAssumed {
+    /// How far away the rotation is that the same numbers give column by column, the opposite turn, in
+    /// degrees.
+    pub columns_differ_by_deg: f64,
 }
 
 /// The data of [`Fact::NearestRotation`].

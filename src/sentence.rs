@@ -103,7 +103,9 @@ fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
     let vectors = match rotate {
         None => "",
         Some(rotate) if rotate == form => " (for column vectors)",
-        Some(_) => ", the transpose of what rotates (for row vectors, or the inverse)",
+        Some(_) => {
+            ", the transpose of what rotates (for row vectors, the inverse, or printed by columns)"
+        }
     };
     format!("prints {symbol} as the matrix of q{vectors}")
 }

@@ -21,7 +21,7 @@ pub(crate) fn read(template: &str, line: &str) -> Option<String> {
     let (template, line) = (compact(template), compact(line));
     numbers(&template, &line).or_else(|| {
         let (_, template) = template.split_once('=')?;
-        let (_, line) = line.split_once('=')?;
+        let line = line.split_once('=').map_or(&*line, |(_, line)| line);
         numbers(template, line)
     })
 }

@@ -4,13 +4,14 @@ use crate::attitude::{Attitude, Declared, turn};
 use crate::axis_mapping::{AxesChange, AxisMapping};
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::endpoint::{Endpoint, Meaning};
-use crate::library::{Library, family, first_to_act, libraries};
+use crate::library::{Library, family, first_to_act, libraries, stores_columns};
+use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::TaggedQuaternion;
 use crate::report::{
-    AxesReport, Change, Components, MappedAxes, Mistake, MistakeKind, PrintedMatrix, ProductOrder,
-    TranslateReport, TranslatedEnd, plain, rows3,
+    AxesReport, Change, Components, MappedAxes, Mistake, MistakeKind, Note, PrintedMatrix,
+    ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
 };
 use crate::request::TranslateRequest;
 use crate::rotation::Rotation;
@@ -77,7 +78,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         proposed: pasted
             .filter(|pasted| from.library.is_none_or(|library| library.id != pasted.id))
             .map(|pasted| pasted.id.clone()),
-        notes: attitude.notes(Field::Quaternion),
+        notes: notes(&attitude, &from),
         from: end(&from, &typed, &attitude.rotation),
         to: end(&to, &numbers, &rotation),
     })
@@ -117,6 +118,19 @@ fn attitude(
         (Ok(_), Some(order)) => in_order(order),
         (read, _) => read,
     }
+}
+
+/// What is known of the text; also that lists of lists, which libraries of some languages print by
+/// columns, were read by rows.
+fn notes(attitude: &Attitude, from: &Meaning) -> Vec<Note> {
+    let field = Field::Quaternion;
+    let mut notes = attitude.notes(field);
+    let language = from.library.map(|library| library.language);
+    if attitude.row_marks == Some(RowMarks::Brackets) && language.is_some_and(stores_columns) {
+        let fact = attitude.rows_fact();
+        notes.extend(fact.map(|fact| Note { field, fact }));
+    }
+    notes
 }
 
 fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {

@@ -118,6 +118,30 @@ fn a_matrix_with_rounded_entries_is_mended_and_told_by_how_much() {
     assert_close("near", &report.euler.angles_deg, &[30.0, 20.0, 10.0], 0.03);
 }
 
+/// Nine numbers in a row may be columns: then they are the opposite turn, here of 30°.
+#[wasm_bindgen_test(unsupported = test)]
+fn nine_numbers_without_rows_are_read_by_rows_and_that_is_said() {
+    let rows_assumed = |text: &str| {
+        let report = read(text, "1 0 0", Convention::HAMILTON);
+        facts(&report).iter().find_map(|fact| match fact {
+            Fact::RowsAssumed(rows) => Some(rows.columns_differ_by_deg),
+            _ => None,
+        })
+    };
+    let flat = rows_assumed("0.866 -0.5 0 0.5 0.866 0 0 0 1").expect("in a row");
+    assert!((flat - 60.0).abs() < 0.01, "{flat}");
+    for marked in [
+        "0.866 -0.5 0; 0.5 0.866 0; 0 0 1",
+        "0.866 -0.5 0\n0.5 0.866 0\n0 0 1",
+        "0.866 -0.5 0, 0.5 0.866 0, 0 0 1",
+        "[[0.866, -0.5, 0], [0.5, 0.866, 0], [0, 0, 1]]",
+        // A half turn is its own opposite.
+        "-1 0 0 0 -1 0 0 0 1",
+    ] {
+        assert_eq!(rows_assumed(marked), None, "{marked}");
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn gimbal_lock_is_told_with_what_survives() {
     let report = read("ZYX 50deg 90deg 20deg", "1 0 0", Convention::HAMILTON);

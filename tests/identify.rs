@@ -401,6 +401,124 @@ fn the_sentence_says_what_is_settled_and_what_is_not() {
     );
 }
 
+/// nalgebra's `{:?}` prints columns, gl-matrix stores them: only rows on lines are surely rows.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_layout_is_taken_from_the_text_where_the_text_shows_it() {
+    let settled = |printed: &str, language| {
+        let matrix = Probe::Matrix {
+            quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+            printed: printed.to_owned(),
+            layout: MatrixLayout::AsWritten,
+        };
+        let mut request = IdentifyRequest::new(vec![matrix]);
+        request.language = language;
+        answer(request).remaining.matrix
+    };
+    let (r, both) = (vec![CosineMatrix::Hamilton], CosineMatrix::ALL.to_vec());
+    let (lines, lists, flat) = (
+        "0 0 1\n1 0 0\n0 1 0",
+        "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]",
+        "0 0 1 1 0 0 0 1 0",
+    );
+    for (text, language, expected) in [
+        (lines, Language::Python, &r),
+        (lines, Language::Rust, &r),
+        (lists, Language::Python, &r),
+        (lists, Language::Rust, &both),
+        (lists, Language::Cpp, &both),
+        (flat, Language::Python, &both),
+        (
+            "Float32Array(9) [ 0, 0, 1, 1, 0, 0, 0, 1, 0 ]",
+            Language::Javascript,
+            &both,
+        ),
+        ("┌ 0 0 1 ┐\n│ 1 0 0 │\n└ 0 1 0 ┘", Language::Rust, &r),
+        ("0 0 1 0\n1 0 0 0\n0 1 0 0\n0 0 0 1", Language::Python, &r),
+    ] {
+        assert_eq!(settled(text, language), *expected, "{text} {language:?}");
+    }
+}
+
+/// Which order a constructor takes is the question, so its name answers nothing.
+#[wasm_bindgen_test(unsupported = test)]
+fn names_of_constructors_tell_nothing_here() {
+    let product = |a: &str, b: &str| Probe::Product {
+        a: a.to_owned(),
+        b: b.to_owned(),
+        printed: "Quaternion(4) [ 1, 0, 0, 0 ]".to_owned(),
+    };
+    let plain = identify(vec![product("0 1 0 0", "0 0 1 0")]);
+    let called = identify(vec![product(
+        "Quaternion::new(0.0, 1.0, 0.0, 0.0)",
+        "Quaternion::new(0.0, 0.0, 1.0, 0.0)",
+    )]);
+    assert_eq!(plain.remaining, called.remaining);
+    assert_eq!(plain.remaining.constructor, [ComponentOrder::ScalarLast]);
+}
+
+/// A library that prints names has no printed order; what was answered is not asked again.
+#[wasm_bindgen_test(unsupported = test)]
+fn no_question_is_asked_twice() {
+    let mut request = IdentifyRequest::new(vec![
+        Probe::Product {
+            a: "0 1 0 0".to_owned(),
+            b: "0 0 1 0".to_owned(),
+            printed: "Quaternion { x: 1, y: 0, z: 0, w: 0 }".to_owned(),
+        },
+        Probe::Components {
+            quaternion: "0.1 0.5 0.5 0.7".to_owned(),
+            printed: "{ x: 0.1, y: 0.5, z: 0.5, w: 0.7 }".to_owned(),
+        },
+    ]);
+    request.unavailable = vec![
+        ProbeKind::Rotate,
+        ProbeKind::Matrix,
+        ProbeKind::FromMatrix,
+        ProbeKind::QuarterTurn,
+        ProbeKind::Perturb,
+    ];
+    let report = answer(request);
+    assert_eq!(report.remaining.constructor, [ComponentOrder::ScalarLast]);
+    assert_eq!(report.remaining.array.len(), 2);
+    assert_eq!(report.next, None);
+}
+
+/// A wrong sign is no rounding.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_far_from_every_answer_is_not_believed_to_be_rounded() {
+    let components = |printed: &str| Probe::Components {
+        quaternion: "0.1 0.5 0.5 0.7".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let rotate = |printed: &str| Probe::Rotate {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        vector: "1 2 3".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let quarter_turn = |printed: &str| Probe::QuarterTurn {
+        printed: printed.to_owned(),
+    };
+    let wrong = vec![
+        components("0.1 -0.5 -0.5 -0.7"),
+        rotate("3 1 3"),
+        quarter_turn("0.8 0 0 0.6"),
+    ];
+    for report in identify(wrong).observations {
+        assert!(
+            matches!(report, ObservationReport::Unexplained(_)),
+            "{report:?}"
+        );
+    }
+    for report in identify(vec![
+        quarter_turn("0.7 0 0 0.7"),
+        quarter_turn("0.71 0 0 0.71"),
+    ])
+    .observations
+    {
+        assert!(matches!(report, ObservationReport::Told(_)), "{report:?}");
+    }
+}
+
 /// What was printed is numbers: other descriptions of a rotation are not proposed.
 #[wasm_bindgen_test(unsupported = test)]
 fn problems_of_printed_numbers_ask_for_numbers() {

@@ -359,6 +359,9 @@ fn a_pasted_call_proposes_its_library() {
         Some("three")
     );
     assert_eq!(proposed("0 0 0.6 0.8", "eigen"), None);
+    let matrix = "Rotation.from_matrix([[0, -0.6, 0.8], [0.8, 0.48, 0.36], [-0.6, 0.64, 0.48]])";
+    let from_babylon = between(matrix, "babylon", "three");
+    assert_eq!(from_babylon.proposed.as_deref(), Some("scipy"));
     // The call tells its order, whatever the end is.
     let report = between(eigen, "three", "three");
     assert_eq!(report.to.array, [0.0, 0.0, 0.6, 0.8]);
@@ -368,6 +371,19 @@ fn a_pasted_call_proposes_its_library() {
             .iter()
             .any(|note| matches!(note.fact, Fact::OrderFromText(_)))
     );
+}
+
+/// nalgebra's `{:?}` and glam's print columns in lists of lists.
+#[wasm_bindgen_test(unsupported = test)]
+fn lists_that_may_be_columns_are_read_as_rows_and_that_is_said() {
+    let text = "[[0, 0.8, -0.6], [-0.6, 0.48, 0.64], [0.8, 0.36, 0.48]]";
+    let says_so = |from| {
+        let notes = between(text, from, "scipy").notes;
+        notes
+            .iter()
+            .any(|note| matches!(note.fact, Fact::RowsAssumed(_)))
+    };
+    assert!(says_so("nalgebra") && says_so("eigen") && !says_so("scipy"));
 }
 
 fn with_axes(text: &str, from: &str, to: &str, world: &str, body: &str) -> TranslateRequest {

@@ -85,7 +85,7 @@ export const opening: PageState = {
       probe: "matrix",
       quaternion: "0.5 0.5 0.5 0.5",
       printed: "0 1 0\n0 0 1\n1 0 0",
-      layout: "rows",
+      layout: "as-written",
     },
   ],
   libraryName: "X",

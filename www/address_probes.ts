@@ -14,7 +14,12 @@ export const probeKinds = [
   "perturb",
 ] as const satisfies readonly ProbeKind[];
 
-export const layouts = ["rows", "columns", "unknown"] as const satisfies readonly MatrixLayout[];
+export const layouts = [
+  "as-written",
+  "rows",
+  "columns",
+  "unknown",
+] as const satisfies readonly MatrixLayout[];
 
 const mark = ";";
 
@@ -46,7 +51,8 @@ function partsOf(probe: Probe): string[] {
 }
 
 /** Row by row is left out. */
-const layoutPart = (layout: MatrixLayout = "rows") => (layout === "rows" ? [] : [layout]);
+const layoutPart = (layout: MatrixLayout = "as-written") =>
+  layout === "as-written" ? [] : [layout];
 
 /** Nothing for a text that is no observation. */
 export function probeFromText(text: string): Probe | undefined {
@@ -72,4 +78,4 @@ export function probeFromText(text: string): Probe | undefined {
 }
 
 const layoutFrom = (text: string): MatrixLayout =>
-  layouts.find((layout) => layout === text) ?? "rows";
+  layouts.find((layout) => layout === text) ?? "as-written";

@@ -170,8 +170,14 @@ impl Simulated {
                 // as_slice is column by column.
                 let printed = match layout {
                     MatrixLayout::Columns => self.print(matrix.as_slice()),
-                    MatrixLayout::Rows | MatrixLayout::Unknown => {
-                        self.print(matrix.transpose().as_slice())
+                    MatrixLayout::Rows | MatrixLayout::AsWritten | MatrixLayout::Unknown => {
+                        let rows: Vec<String> = (0..3)
+                            .map(|row| {
+                                let row: Vec<f64> = matrix.row(row).iter().copied().collect();
+                                self.print(&row)
+                            })
+                            .collect();
+                        rows.join("\n")
                     }
                 };
                 Probe::Matrix {

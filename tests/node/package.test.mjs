@@ -115,7 +115,8 @@ test("the wasm inside is the optimised file", () => {
   const optimised = readFileSync(join(root, "pkg", "quatlas_bg.wasm"));
   const inside = readFileSync(join(installed, "dist/npm/index.cjs"), "utf8");
   assert.ok(inside.includes(optimised.toString("base64")));
-  const built = join(root, "target/wasm32-unknown-unknown/release/quatlas.wasm");
+  const target = process.env.CARGO_TARGET_DIR ?? join(root, "target");
+  const built = join(target, "wasm32-unknown-unknown/release/quatlas.wasm");
   assert.ok(optimised.length < readFileSync(built).length / 2, "smaller than what rustc wrote");
 });
 

@@ -67,7 +67,7 @@ const matrix = (printed: string): Probe => ({
   probe: "matrix",
   quaternion: half,
   printed,
-  layout: "rows",
+  layout: "as-written",
 });
 
 /** What libraries print, one example of each surprise. */

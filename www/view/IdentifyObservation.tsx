@@ -147,6 +147,7 @@ function Text({
 }
 
 const layoutNames: Record<MatrixLayout, string> = {
+  "as-written": "as the lines show",
   rows: "row by row",
   columns: "column by column",
   unknown: "not sure",
@@ -166,7 +167,7 @@ function Layout({
     <label class="layout">
       <span class="visually-hidden">observation {at + 1} </span>nine numbers{" "}
       <select
-        value={probe.layout ?? "rows"}
+        value={probe.layout ?? "as-written"}
         onChange={(event) => {
           const layout = layouts.find((name) => name === event.currentTarget.value);
           if (layout) onChange({ ...probe, layout });

@@ -90,6 +90,14 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
           <code>rad</code> to be sure.
         </>
       );
+    case "rows-assumed":
+      return (
+        <>
+          Nothing marks the rows of the nine numbers: read row by row. Column by column, as some
+          libraries store and print them, they would be the opposite turn,{" "}
+          <code>{shownDegrees(Number(fact.columnsDifferByDeg.toPrecision(3)), "all")}</code> away.
+        </>
+      );
     case "nearest-rotation":
       return (
         <>

@@ -170,6 +170,9 @@ mod rotation_messages;
 // The sentences of problems of translation and identification.
 mod library_messages;
 
+// What consoles write around numbers.
+mod console;
+
 // Text to tokens.
 mod lex;
 
@@ -243,9 +246,6 @@ mod translate;
 
 // What a library is asked, and what it may answer.
 mod observation;
-
-// What consoles write around numbers.
-mod console;
 
 // A probe in texts to numbers.
 mod observe;

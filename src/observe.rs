@@ -83,9 +83,7 @@ pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
     }
     let field = Field::Printed;
     Ok(Some(match probe {
-        Probe::Rotate { .. } => {
-            Printed::Vector(parse_vector(&console::without_wrappers(text), field)?)
-        }
+        Probe::Rotate { .. } => Printed::Vector(parse_vector(text, field)?),
         Probe::Matrix { .. } => Printed::Matrix(matrix(text, field)?),
         Probe::Components { .. }
         | Probe::Product { .. }
@@ -115,8 +113,7 @@ fn decimals(text: &str) -> usize {
 
 /// Four numbers: with names where the text tells which is which, and else as they stand.
 fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
-    let bare = console::without_wrappers(text);
-    let parsed = parse_quaternion(&bare, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
+    let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
     let Quaternion { coords } = parsed.quaternion;
     if coords.amax() == 0.0 {
         let fault = Fault::zero_quaternion(Span::of_trimmed(text));
@@ -156,11 +153,10 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
         let fault = Fault::not_a_matrix(Span::of_trimmed(text), what);
         fault.in_field(field)
     };
-    let bare = console::without_wrappers(text);
-    if let Some(entries) = console::homogeneous(&bare) {
+    if let Some(entries) = console::homogeneous(text) {
         return Ok(entries);
     }
-    match parse_rotation(&bare, field, ComponentOrder::ScalarFirst) {
+    match parse_rotation(text, field, ComponentOrder::ScalarFirst) {
         Ok(ParsedRotation::Matrix(entries)) => Ok(entries),
         Ok(other) => Err(not_a_matrix(other.in_words())),
         Err(problem) if problem.code == ProblemCode::WrongCount => {

@@ -84,6 +84,7 @@
 use crate::angle::AngleUnit;
 use crate::announced;
 use crate::calls;
+use crate::console;
 use crate::convention::ComponentOrder;
 use crate::lex::{self, MAX_TEXT_BYTES, Token};
 use crate::matrix_rows;
@@ -135,6 +136,7 @@ pub fn parse_rotation(
     field: Field,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Problem> {
+    let text = &*console::without_wrappers(text);
     read(text, Wanted::Quaternion)
         .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
         .map_err(|fault| fault.in_field(field))
@@ -195,6 +197,7 @@ pub fn parse_quaternion(
 /// # Ok::<(), quatlas::Problem>(())
 /// ```
 pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
+    let text = &*console::without_wrappers(text);
     read(text, Wanted::Vector)
         .and_then(|(tokens, span)| meaning::vector(&syntax::entries(&tokens)?, span))
         .map_err(|fault| fault.in_field(field))

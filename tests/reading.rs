@@ -431,3 +431,24 @@ fn no_minus_zero_reaches_the_report() {
     let json = serde_json::to_string(&report).expect("JSON");
     assert!(!json.contains("-0.0"), "{json}");
 }
+
+/// What Node and nalgebra write around numbers is passed over; the place of a problem stays.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_consoles_write_around_numbers() {
+    let four = |text: &str| parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarLast);
+    let parsed = four("Float32Array(4) [ 0.1, -0.2, 0.38, 0.92 ]").expect("four numbers");
+    assert_eq!((parsed.quaternion.w, parsed.quaternion.i), (0.92, 0.1));
+    let vector = parse_vector("Vector3(3) [ 3, 1, 2 ]", Field::Vector).expect("three numbers");
+    assert_eq!(vector.as_slice(), [3.0, 1.0, 2.0]);
+    let drawn = "\u{250c} 1 \u{2510}\n\u{2502} 2 \u{2502}\n\u{2514} 3 \u{2518}";
+    let vector = parse_vector(drawn, Field::Vector).expect("three numbers");
+    assert_eq!(vector.as_slice(), [1.0, 2.0, 3.0]);
+    let text = "\u{2502}\u{2502} Quaternion(4) [ 0, 0, oops, 1 ]";
+    let problem = four(text).expect_err("a word");
+    assert_eq!(&text[problem.span.start..problem.span.end], "oops");
+    // A call with numbers is no list with its length.
+    assert!(four("Quaternion(4) (0, 0, 0, 1)").is_err());
+    // As much of it as there may be.
+    let long = "\u{2502}[".repeat(20_000);
+    assert!(four(&long).is_err());
+}

@@ -68,9 +68,6 @@ const three = {
   ),
   other: {
     "premultiply(b) = b*a": ({ a, b }) => byName(three.named(...a).premultiply(three.named(...b))),
-    // Recorded of the quaternion that the constructor makes of 2a with its scalar first.
-    "inverse of non-unit (conjugate only)": ({ a }) =>
-      byName(new THREE.Quaternion(...a.map((component) => 2 * component)).invert()),
     "Vector3.applyEuler default order": () => new THREE.Euler().order,
   },
 };

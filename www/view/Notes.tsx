@@ -94,7 +94,7 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
       return (
         <>
           Nothing marks the rows of the nine numbers: read row by row. Column by column, as some
-          libraries store and print them, they would be the opposite turn,{" "}
+          libraries print them, they are the opposite turn,{" "}
           <code>{shownDegrees(Number(fact.columnsDifferByDeg.toPrecision(3)), "all")}</code> away.
         </>
       );

@@ -160,32 +160,34 @@ fn agreeing(told: &[(usize, &[Behaviour])]) -> Vec<Behaviour> {
         .collect()
 }
 
-/// The fewest observations that do not agree: a pair, or three, or all that there are.
+/// Observations that do not agree: a pair if there is one, or else a set of which none can be spared.
 fn contradiction(told: &[(usize, &[Behaviour])]) -> Option<Contradiction> {
     if !agreeing(told).is_empty() {
         return None;
     }
-    let pairs = told.iter().enumerate().flat_map(|(at, one)| {
-        let others = told.iter().skip(at + 1);
-        others.map(move |other| vec![*one, *other])
+    let pair = told.iter().enumerate().find_map(|(at, one)| {
+        let mut pairs = told[at + 1..].iter().map(|other| vec![*one, *other]);
+        pairs.find(|pair| agreeing(pair).is_empty())
     });
-    let triples = pairs.clone().flat_map(|pair| {
-        let last = pair.iter().map(|(at, _)| *at).max().unwrap_or(0);
-        let others: Vec<_> = told.iter().filter(|(at, _)| *at > last).copied().collect();
-        others.into_iter().map(move |third| {
-            let mut three = pair.clone();
-            three.push(third);
-            three
-        })
-    });
-    let disagreeing = pairs
-        .chain(triples)
-        .find(|some| agreeing(some).is_empty())
-        .unwrap_or_else(|| told.to_vec());
+    let disagreeing = pair.unwrap_or_else(|| without_bystanders(told));
     Some(Contradiction {
         about: disputed(&disagreeing),
         observations: disagreeing.iter().map(|(at, _)| *at).collect(),
     })
+}
+
+/// What is left of observations that do not agree when every one is taken out that is not needed for it.
+fn without_bystanders<'a>(told: &[(usize, &'a [Behaviour])]) -> Vec<(usize, &'a [Behaviour])> {
+    let mut needed = told.to_vec();
+    let mut at = 0;
+    while at < needed.len() {
+        let taken_out = needed.remove(at);
+        if !agreeing(&needed).is_empty() {
+            needed.insert(at, taken_out);
+            at += 1;
+        }
+    }
+    needed
 }
 
 /// The choices that two of the observations settle differently.

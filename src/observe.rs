@@ -108,7 +108,11 @@ pub(crate) fn rounding(probe: &Probe) -> f64 {
 /// The most digits that follow a point in a text.
 fn decimals(text: &str) -> usize {
     let digits = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
-    text.split('.').skip(1).map(digits).max().unwrap_or(0)
+    let points = text.match_indices('.');
+    points
+        .map(|(at, _)| digits(&text[at + 1..]))
+        .max()
+        .unwrap_or(0)
 }
 
 /// Four numbers: with names where the text tells which is which, and else as they stand.

@@ -32,7 +32,8 @@ pub struct IdentifyReport {
     pub libraries: Vec<LibraryMatch>,
     /// The probe that leaves the least, on average; absent where none can tell more.
     pub next: Option<NextProbe>,
-    /// The fewest observations that no library can have made together: two wherever two suffice.
+    /// Observations that no library can have made together: two wherever two suffice, and never one that
+    /// could be spared.
     pub contradiction: Option<Contradiction>,
     /// What is settled, as a sentence for an issue.
     pub sentence: String,

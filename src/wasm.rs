@@ -35,8 +35,8 @@ pub fn analyze(
     to_js(&outcome)
 }
 
-/// The request of a view. By its tag here, and not by serde, which would make a copy of everything in
-/// a type of its own first: a tenth of the whole wasm.
+/// The request of a view. By its tag here, and not by serde, which would copy everything into a type of
+/// its own first and add 18 kB to the compressed wasm.
 fn request_of(request: JsValue) -> Result<Request, TypeError> {
     let view = Reflect::get(&request, &"view".into()).ok();
     match view.and_then(|view| view.as_string()).as_deref() {

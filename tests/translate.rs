@@ -311,6 +311,34 @@ fn the_angle_is_that_to_the_attitude_that_is_read_by_mistake() {
     }
 }
 
+/// So are they where they should have been conjugated too; then the way they are shifted matters.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_angle_of_numbers_that_are_copied_as_they_are() {
+    let directed = |order| Convention {
+        order,
+        direction: Direction::WorldToBody,
+        ..Convention::HAMILTON
+    };
+    let pairs = [
+        (Convention::HAMILTON, directed(ComponentOrder::ScalarLast)),
+        (
+            Convention::HAMILTON_SCALAR_LAST,
+            directed(ComponentOrder::ScalarFirst),
+        ),
+    ];
+    for (from, to) in pairs {
+        let attitude = |convention| {
+            let tagged = TaggedQuaternion::from_array([0.1, 0.7, -0.5, 0.5], convention);
+            Rotation::from_tagged(&tagged).expect("not zero")
+        };
+        let expected = attitude(from).angle_to_rad(&attitude(to)).to_degrees();
+        let report = translate(TEXT, Endpoint::convention(from), Endpoint::convention(to));
+        let copied = report.mistakes[0];
+        assert_eq!(copied.kind, MistakeKind::Copied);
+        assert!((copied.angle_deg - expected).abs() < 1e-12, "{copied:?}");
+    }
+}
+
 #[wasm_bindgen_test(unsupported = test)]
 fn families_that_labels_do_not_name() {
     let family = |id| between(TEXT, id, "eigen").from;

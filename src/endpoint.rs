@@ -75,6 +75,8 @@ pub enum Assumption {
 #[derive(Clone, Debug)]
 pub(crate) struct Meaning {
     pub(crate) library: Option<&'static Library>,
+    /// The convention, where that is the end.
+    pub(crate) declared: Option<Convention>,
     pub(crate) order: ComponentOrder,
     pub(crate) handedness: Option<Handedness>,
     /// What the quaternion multiplies a column with when it acts.
@@ -108,6 +110,7 @@ impl Meaning {
         };
         Self {
             library: None,
+            declared: Some(convention),
             order: convention.order,
             handedness: Some(convention.handedness),
             action,
@@ -138,6 +141,7 @@ impl Meaning {
         let matrix = library.matrix.zip(library.vectors);
         Some(Self {
             library: Some(library),
+            declared: None,
             order,
             handedness: library.handedness,
             action,

@@ -44,8 +44,8 @@ pub struct TranslateReport {
 pub struct TranslatedEnd {
     /// The id of the library; absent for a convention.
     pub library: Option<String>,
-    /// The five axes that these numbers follow: order, direction, and the hand that belongs to what
-    /// the quaternion does to a vector.
+    /// The convention as it was chosen; of a library, the one that these numbers follow: order,
+    /// direction, and the hand that belongs to what the quaternion does to a vector.
     pub convention: Convention,
     /// The four numbers by name.
     pub components: Components,
@@ -118,6 +118,8 @@ pub enum MistakeKind {
     NotConjugated,
     /// The sign of the vector part is changed, though it is to stay: the usual mistake with JPL.
     ConjugatedNeedlessly,
+    /// The array is passed to a constructor that takes the other order.
+    ConstructorOrder,
     /// The axes are left as they were.
     AxesKept,
 }
@@ -143,6 +145,9 @@ pub enum ProductOrder {
     Same,
     /// `a * b` becomes `b * a`.
     Reversed,
+    /// Neither: the axes of world and body change differently, so the product of two attitudes on new
+    /// axes is not that of the old ones.
+    Neither,
     /// The product of one end is not established.
     NotEstablished,
 }

@@ -8,7 +8,7 @@ use crate::library::{Library, family, first_to_act, libraries, stores_columns};
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::problem::{Field, Problem, Span};
-use crate::quaternion::TaggedQuaternion;
+use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
     AxesReport, Change, Components, MappedAxes, Mistake, MistakeKind, Note, PrintedMatrix,
     ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
@@ -49,7 +49,13 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
             let span = Span::of_trimmed(&request.body_axes);
             vec![Fault::one_sided_reflection(span).in_field(Field::BodyAxes)]
         })?;
-        (rotation.to_tagged(to.numbers()), rotation)
+        let mut numbers = rotation.to_tagged(to.numbers());
+        // As long as what was typed, which a rotation does not remember.
+        let norm = attitude.tagged.norm();
+        if norm.is_finite() && (norm - 1.0).abs() > UNIT_NORM_TOLERANCE {
+            numbers.components *= norm;
+        }
+        (numbers, rotation)
     } else {
         (
             attitude.tagged.to_convention(to.numbers()),
@@ -69,7 +75,11 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         quaternion: attitude.as_read(),
         change: change_between(&from, &to),
         mistakes,
-        product: product_order(&from, &to),
+        product: if world == body {
+            product_order(&from, &to)
+        } else {
+            ProductOrder::Neither
+        },
         axes: changes_axes.then(|| AxesReport {
             world: mapped(world),
             body: mapped(body),
@@ -155,7 +165,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
     let code = library.map(|library| &library.code);
     TranslatedEnd {
         library: library.map(|library| library.id.clone()),
-        convention: meaning.numbers(),
+        convention: meaning.declared.unwrap_or(meaning.numbers()),
         array: numbers.to_array().map(plain),
         order: meaning.order,
         constructor_order: library.map_or(Some(meaning.order), |library| library.constructor_order),
@@ -209,6 +219,20 @@ fn mistakes(
         }
         TaggedQuaternion::from_array(array, numbers.convention)
     };
+    let passed_on = match to.library.and_then(|library| library.constructor_order) {
+        Some(order) if order != to.order && to.order == from.order => {
+            let array = right.to_array();
+            let wrong = TaggedQuaternion::from_array(
+                array,
+                Convention {
+                    order,
+                    ..right.convention
+                },
+            );
+            Some((MistakeKind::ConstructorOrder, wrong))
+        }
+        _ => None,
+    };
     // Its own inverse: the mistake that undoes a needed conjugation is the one that adds another.
     let conjugated = right.conjugate();
     let made = match change_between(from, to) {
@@ -225,6 +249,7 @@ fn mistakes(
         ],
     };
     made.into_iter()
+        .chain(passed_on)
         .filter_map(|(kind, wrong)| {
             let wrong = Rotation::from_tagged(&wrong).ok()?;
             Some(Mistake {

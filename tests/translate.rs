@@ -125,7 +125,7 @@ fn a_product_is_written_in_the_order_that_is_said() {
             let got = match report.product {
                 ProductOrder::Same => product(there, over(a), over(b)),
                 ProductOrder::Reversed => product(there, over(b), over(a)),
-                ProductOrder::NotEstablished => panic!("both are known"),
+                other => panic!("{other:?}: both are known"),
             };
             assert_close(&format!("{from:?}"), &got, &expected, 1e-15);
             seen[usize::from(report.product == ProductOrder::Reversed)] += 1;
@@ -213,12 +213,22 @@ fn a_jpl_filter_to_eigen() {
     assert_eq!(customary.from.direction, Direction::WorldToBody);
     assert_eq!(customary.to.direction, Direction::BodyToWorld);
     assert_eq!(customary.product, ProductOrder::Reversed);
-    assert!(
-        customary
-            .mistakes
-            .iter()
-            .all(|mistake| mistake.kind == MistakeKind::ConjugatedNeedlessly)
+    // Passed to the constructor, which takes w first, they are another attitude.
+    let kinds: Vec<_> = customary
+        .mistakes
+        .iter()
+        .map(|mistake| mistake.kind)
+        .collect();
+    assert_eq!(
+        kinds,
+        [
+            MistakeKind::ConjugatedNeedlessly,
+            MistakeKind::ConstructorOrder
+        ]
     );
+    let read_by_the_constructor = between(text, "drake", "eigen");
+    let angle = |report: &TranslateReport| report.turn.angle_deg;
+    assert!(angle(&read_by_the_constructor) > 90.0 && customary.mistakes[1].angle_deg > 90.0);
     // C(q) of the one is the transpose of R(q) of the other.
     let [from, to] = [&customary.from, &customary.to].map(|end| end.matrix.clone().expect("known"));
     assert_close("R", &to.rows[0], &[0.28, -0.96, 0.0], 1e-15);
@@ -506,6 +516,44 @@ fn well_known_changes_of_axes() {
         &[1.0, 0.0, 0.0, 0.0],
         1e-15,
     );
+}
+
+/// `A_W a A_Bᵀ` times `A_W b A_Bᵀ` is not `A_W a b A_Bᵀ`, unless the two are the same.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_product_survives_only_the_same_change_on_both_sides() {
+    let product =
+        |world: &str, body: &str| report(with_axes(TEXT, "tf2", "eigen", world, body)).product;
+    assert_eq!(product("", ""), ProductOrder::Same);
+    assert_eq!(product("ROS to Unity", "ROS to Unity"), ProductOrder::Same);
+    assert_eq!(product("NED to ENU", "FRD to FLU"), ProductOrder::Neither);
+    assert_eq!(product("", "FRD to FLU"), ProductOrder::Neither);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_norm_is_kept_on_every_way() {
+    for axes in ["", "FRD to FLU"] {
+        let report = report(with_axes("0.2 0.2 0.2 1.8", "tf2", "eigen", axes, axes));
+        let norm = |numbers: [f64; 4]| numbers.iter().map(|n| n * n).sum::<f64>().sqrt();
+        assert!(
+            (norm(report.to.array) - norm(report.from.array)).abs() < 1e-15,
+            "{axes}"
+        );
+    }
+}
+
+/// What was chosen stands in the report, also where its numbers are those of another convention.
+#[wasm_bindgen_test(unsupported = test)]
+fn an_active_convention_stays_active() {
+    let active: Convention = "xyzw left active body-to-world global"
+        .parse()
+        .expect("five words");
+    let report = translate(
+        TEXT,
+        Endpoint::convention(active),
+        Endpoint::library("eigen"),
+    );
+    assert_eq!(report.from.convention, active);
+    assert_eq!(report.from.direction, Direction::WorldToBody);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

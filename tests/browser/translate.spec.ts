@@ -193,7 +193,7 @@ test("axes are a step of their own: a heading of PX4 in ROS", async ({ page }) =
     0, 1, 0, 1, 0, 0, 0, 0, -1,
   ]);
   await expect(page.locator(".matrix-caption").last()).toContainText("determinant +1");
-  await expect(page.locator(".mistakes")).toContainText("on the old axes90° off");
+  await expect(page.locator(".mistakes")).toContainText("axes not changed90° off");
   await expect(page).toHaveURL(/world=ned\+to\+enu&body=FRD\+to\+FLU/);
   // What is not established of a message is said.
   const assumed = page.locator(".column").nth(1).locator(".assumed");
@@ -226,7 +226,7 @@ test("the angle of a forgotten step, and numbers that do not show it", async ({ 
   // [1, 0, 0, 0] read as x y z w is half a turn; an identity has no conjugate to forget.
   await expect(page.locator(".mistakes li")).toHaveText([
     /^not reordered180° off$/,
-    /^conjugated all the sameno difference/,
+    /^conjugated, though it must not beno difference/,
   ]);
   await quaternionField(page).fill("0.5 0.5 0.5 0.5");
   await expect(page.locator(".mistakes li").first()).toContainText("no difference");

@@ -28,8 +28,12 @@ export function MatchingLibraries({ store, report }: { store: Store; report: Ide
       {all.length === 0 && (
         <p>No record of the table behaves like this. It may be right all the same.</p>
       )}
-      <MatchList store={store} title="Agree in all five choices" matches={agree} />
-      <MatchList store={store} title="Agree, with one or two choices open" matches={leaveOpen} />
+      <MatchList store={store} title="Establish all five choices, and agree" matches={agree} />
+      <MatchList
+        store={store}
+        title="Leave one or two choices open, and agree"
+        matches={leaveOpen}
+      />
       {sayLittle.length > 0 && (
         <details class="products">
           <summary>{sayLittle.length} more establish too little to disagree</summary>

@@ -27,25 +27,37 @@ export function ProductCard({
 }) {
   const { engine } = store;
   const { from, to, product } = report;
+  const isKnown = product === "same" || product === "reversed";
   return (
     <section class="fact" aria-labelledby="product-name">
       <h2 id="product-name">A product</h2>
-      <p class="fact-value product-line">
-        <code>{productOf(from, engine)}</code>
-        <span class="product-becomes">{product === "not-established" ? "may be" : "becomes"}</span>
-        <code>
-          {product === "reversed" ? swapped(productOf(to, engine)) : productOf(to, engine)}
-        </code>
-      </p>
+      {isKnown && (
+        <p class="fact-value product-line">
+          <code>{productOf(from, engine)}</code>
+          <span class="product-becomes">becomes</span>
+          <code>
+            {product === "reversed" ? swapped(productOf(to, engine)) : productOf(to, engine)}
+          </code>
+        </p>
+      )}
       <p>
-        {product === "not-established" ? (
+        {isKnown && (
+          <ProductWords from={from} to={to} names={names} isReversed={product === "reversed"} />
+        )}
+        {product === "neither" && (
           <>
-            The product of one of the two is {notEstablished}. With what it prints,{" "}
+            The axes of the world and of the body change differently. So the product of two
+            translated attitudes is <strong>neither of the two products</strong>: multiply first,
+            then translate the result.
+          </>
+        )}
+        {product === "not-established" && (
+          <>
+            The product of one of the two is {notEstablished}; a message has none of its own, only
+            the library that reads it. With what a library prints,{" "}
             <a href={`#${toFragment({ ...store.state.value, view: "identify" })}`}>Identify</a>{" "}
             finds it out.
           </>
-        ) : (
-          <ProductWords from={from} to={to} names={names} isReversed={product === "reversed"} />
         )}
       </p>
     </section>
@@ -94,7 +106,7 @@ function productOf(end: TranslatedEnd, engine: Engine): string {
 
 /** The call with its operands in each other's place. */
 const swapped = (call: string) =>
-  call.replace(/\b[ab]\b/g, (operand) => (operand === "a" ? "b" : "a"));
+  call.replace(/\b[ab](?=\b|0\b|vec\b)/g, (operand) => (operand === "a" ? "b" : "a"));
 
 /** The angle by which the attitude is wrong. */
 export function MistakesCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
@@ -131,8 +143,9 @@ const mistakeWords: Record<MistakeKind, string> = {
   copied: "copied as they are",
   "not-reordered": "not reordered",
   "not-conjugated": "not conjugated",
-  "conjugated-needlessly": "conjugated all the same",
-  "axes-kept": "on the old axes",
+  "conjugated-needlessly": "conjugated, though it must not be",
+  "constructor-order": "passed to the constructor as the array stands",
+  "axes-kept": "axes not changed",
 };
 
 function mistakesOf({ mistakes, change }: TranslateReport) {
@@ -164,7 +177,14 @@ export function AxesCard({ axes, digits }: { axes: AxesReport; digits: Digits })
         <Mapped of="body" mapped={axes.body} digits={digits} />
       </div>
       <p class="hand-words">
-        {isMirrored ? (
+        {axes.world.text !== axes.body.text ? (
+          <>
+            World and body change differently, so the turn that leads from the one to the other is
+            another one than before
+            {isMirrored && ", counted by the other hand of both"}. Determinants of different sign
+            would make a reflection, which has no quaternion.
+          </>
+        ) : isMirrored ? (
           <>
             <strong>Both change the hand of the axes</strong>: right-handed ones become left-handed,
             or the other way round. The turn in space stays the same, but it is counted by the other

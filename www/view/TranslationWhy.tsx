@@ -20,6 +20,9 @@ export function Why({ report, names }: { report: TranslateReport; names: EndName
   return (
     <div class="why">
       <p>
+        {[from, to].some(({ assumed }) => assumed.includes("action")) && (
+          <strong>As is assumed, for it is not established: </strong>
+        )}
         <Frames from={from} to={to} names={names} />{" "}
         <strong>
           {isConjugated(report) ? "The vector part changes its sign" : "Nothing is conjugated"}
@@ -72,6 +75,9 @@ function Frames({ from, to, names }: { from: TranslatedEnd; to: TranslatedEnd; n
   );
 }
 
+/** In one piece where lines are broken. */
+const unbroken = (words: string) => words.replaceAll(" ", "\u00a0");
+
 export function Of({ action }: { action: CosineMatrix }) {
   return (
     <>
@@ -82,7 +88,15 @@ export function Of({ action }: { action: CosineMatrix }) {
 
 function OrderWords({ from, to }: { from: TranslatedEnd; to: TranslatedEnd }) {
   if (from.order === to.order) {
-    return <>and the order stays {lettersOf[to.order]}</>;
+    const { constructorOrder } = to;
+    return (
+      <>
+        and the order of the array stays {unbroken(lettersOf[to.order])}
+        {constructorOrder !== undefined && constructorOrder !== to.order && (
+          <> (the constructor takes {unbroken(lettersOf[constructorOrder])})</>
+        )}
+      </>
+    );
   }
   return to.order === "scalar-first" ? (
     <>and the scalar moves from the end to the front</>

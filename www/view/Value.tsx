@@ -69,6 +69,9 @@ export function namesInOrder(convention: Pick<Convention, "order">): ("w" | "x" 
   return convention.order === "scalar-first" ? ["w", "x", "y", "z"] : ["x", "y", "z", "w"];
 }
 
+/** On a phone, and with all digits, a matrix can be wider than its place. */
+const mayScroll = (digits: Digits) => digits === "all" || matchMedia("(width < 30rem)").matches;
+
 /** A matrix with brackets and aligned decimals, under its name and what it does. */
 export function Matrix({
   name,
@@ -91,7 +94,12 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
         <Copy of={name} text={exactRows(rows)} />
       </figcaption>
-      <div class={`matrix-scroll digits-${digits}`}>
+      {/* Where it is wider than its place, the arrow keys reach all of it. */}
+      <section
+        class={`matrix-scroll digits-${digits}`}
+        aria-label={`${name}, row by row`}
+        {...(mayScroll(digits) ? { tabIndex: 0 } : {})}
+      >
         <table aria-label={name}>
           <tbody>
             {alignedRows(rows, digits).map((row, at) => (
@@ -103,7 +111,7 @@ export function Matrix({
             ))}
           </tbody>
         </table>
-      </div>
+      </section>
     </figure>
   );
 }

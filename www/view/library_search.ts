@@ -18,7 +18,8 @@ function distance(library: Library, asked: string, about: string): number | unde
       if (wordsOf(name).some((part) => part.startsWith(word))) return 1;
       if (name.includes(word)) return 2;
       if (others.includes(word)) return 3;
-      return field.includes(word) ? 4 : undefined;
+      // `xyzw` is found as the letters x y z w.
+      return field.includes(word) || field.replaceAll(" ", "").includes(word) ? 4 : undefined;
     });
   if (distances.includes(undefined)) return undefined;
   return Math.max(0, ...distances.filter((one) => one !== undefined));

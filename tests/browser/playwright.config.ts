@@ -1,7 +1,7 @@
 import { defineConfig } from "@playwright/test";
 
 const executablePath = process.env["QUATLAS_BROWSER"];
-const port = 4187;
+const port = Number(process.env["QUATLAS_PORT"] ?? 4187);
 
 export default defineConfig({
   testDir: ".",

@@ -3,7 +3,7 @@ import { type Digits, eulerAxes, sequenceName } from "../address.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, shownArray, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
-import { Copy } from "./Value.tsx";
+import { Copy } from "./Copy.tsx";
 
 const frames: Record<EulerFrame, string> = {
   intrinsic: "about the moving axes (intrinsic)",

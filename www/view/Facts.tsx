@@ -2,8 +2,8 @@
 import type { ReadReport } from "../engine.ts";
 import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
+import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
-import { Copy } from "./Value.tsx";
 
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;

@@ -1,6 +1,7 @@
 // What is known of the library: a sentence, and the seven choices with the values that are left.
 import type { BehaviourAxis, IdentifyReport } from "../engine.ts";
 import type { Store } from "../state.ts";
+import { Copy } from "./Copy.tsx";
 import { ContradictionWords } from "./IdentifyContradiction.tsx";
 import { sentenceId } from "./IdentifySheet.tsx";
 import type { Answer } from "./identify_answer.ts";
@@ -11,7 +12,6 @@ import {
   listed,
   type ValueWords,
 } from "./identify_words.ts";
-import { Copy } from "./Value.tsx";
 
 export const answerId = "identify-answer";
 

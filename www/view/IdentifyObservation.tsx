@@ -2,10 +2,10 @@
 import type { ComponentChildren } from "preact";
 import { layouts } from "../address_probes.ts";
 import type { MatrixLayout, ObservationReport, Probe, Problem } from "../engine.ts";
+import { Copy } from "./Copy.tsx";
 import { fieldOf, inputsOf, type TextName, textOf, withText } from "./identify_probe.ts";
 import { choiceWords, listed, probeWords, unexplainedAdvice } from "./identify_words.ts";
 import { MarkedText } from "./MarkedText.tsx";
-import { Copy } from "./Value.tsx";
 import { symbolOf } from "./words.ts";
 
 /** The field in which the answer to an observation is typed. */

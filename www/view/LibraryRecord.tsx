@@ -3,6 +3,7 @@ import type { ComponentChildren } from "preact";
 import { type PageState, toFragment } from "../address.ts";
 import type { Code, Endpoint, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
+import { Copy } from "./Copy.tsx";
 import { EvidenceOf } from "./Evidence.tsx";
 import {
   axisAngleWords,
@@ -19,7 +20,6 @@ import {
   takesWords,
   zeroWords,
 } from "./library_words.ts";
-import { Copy } from "./Value.tsx";
 
 export function LibraryRecord({ library, store }: { library: Library; store: Store }) {
   const { family, action } = establishedOf(store.engine.endOf(library.id));

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
 import type { Assumption, Engine, TranslatedEnd } from "../engine.ts";
+import { Copy } from "./Copy.tsx";
 import {
   accentOf,
   familyWords,
@@ -16,7 +17,7 @@ import {
   vectorWords,
 } from "./library_words.ts";
 import { Of } from "./TranslationWhy.tsx";
-import { ArrayRow, Copy, Matrix } from "./Value.tsx";
+import { ArrayRow, Matrix } from "./Value.tsx";
 import { arrowOf, lettersOf } from "./words.ts";
 
 export function EndColumn({

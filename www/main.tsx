@@ -8,6 +8,7 @@ import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
 import "./view/picker.css";
+import "./view/picture.css";
 import "./view/translate.css";
 import { Page } from "./view/Page.tsx";
 

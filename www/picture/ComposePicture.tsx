@@ -1,0 +1,3 @@
+export function ComposePicture() {
+  return null;
+}

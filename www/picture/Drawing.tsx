@@ -1,7 +1,7 @@
 // A scene as the elements of an SVG; colours are custom properties, so that they follow the theme.
 import { type Camera, type OnPaper, onPaper } from "./camera.ts";
 import { apart } from "./labels.ts";
-import { type PaintedLine, type Plane, painted, planesOf } from "./occlusion.ts";
+import { isHidden, type PaintedLine, type Plane, painted, planesOf } from "./occlusion.ts";
 import type { Label, Scene } from "./scene.ts";
 import { dot, turned } from "./space.ts";
 
@@ -37,7 +37,13 @@ const plainPen: Pen = { colour: "var(--picture-ink)", width: 1 };
 export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
   const planes = planesOf(scene.pose, camera);
   const { behind, before } = painted(scene.lines, planes, camera);
-  const texts = apart(scene.labels.map((label) => ({ label, at: onPaper(label.at, camera) })));
+  const texts = apart(
+    scene.labels.map((label) => ({
+      label,
+      at: onPaper(label.at, camera),
+      isHidden: isHidden(label.at, planes, camera),
+    })),
+  );
   return (
     <>
       <g fill="none" stroke-linecap="round" pointer-events="none">
@@ -64,8 +70,8 @@ export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
         text-anchor="middle"
         pointer-events="none"
       >
-        {texts.map(({ label, at }, index) => (
-          <Lettering key={index} label={label} at={at} />
+        {texts.map(({ label, at, isHidden }, index) => (
+          <Lettering key={index} label={label} at={at} opacity={isHidden ? 0.4 : 1} />
         ))}
       </g>
     </>
@@ -149,7 +155,8 @@ function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Ca
   );
 }
 
-function Lettering({ label, at }: { label: Label; at: OnPaper }) {
+/** What stands behind the solid has a fainter letter. */
+function Lettering({ label, at, opacity }: { label: Label; at: OnPaper; opacity: number }) {
   const colour = pens[label.pen]?.colour ?? "var(--picture-ink)";
   return (
     <text
@@ -160,6 +167,7 @@ function Lettering({ label, at }: { label: Label; at: OnPaper }) {
       stroke-width="3"
       stroke-linejoin="round"
       paint-order="stroke"
+      {...(opacity < 1 ? { opacity } : {})}
     >
       {label.text}
       {label.frame && (

@@ -30,7 +30,11 @@ export function ReadPicture({ store }: { store: Store }) {
 }
 
 /** In a picture, more than four decimals say nothing. */
-const digits = "4";
+const coarse = (numbers: readonly number[]) =>
+  shownArray(
+    numbers.map((number) => Number(number.toFixed(4)) + 0),
+    "all",
+  );
 
 function Shown({ store, report }: { store: Store; report: ReadReport }) {
   const { picture } = store.state.value;
@@ -112,7 +116,9 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
               change({ poses: currentTarget.checked ? "both" : "one", reading: "passive" })
             }
           />
-          <span>{words.both}</span>
+          <span>
+            {words.both(otherName(report), arrowOf(report.declared.convention.direction))}
+          </span>
         </label>
         <button type="button" class="text-button" onClick={save}>
           {words.save}
@@ -123,6 +129,10 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
 }
 
 const otherHand = { right: "left", left: "right" } as const;
+
+/** The name of the product that was not declared. */
+const otherName = ({ declared }: ReadReport) =>
+  wordsOf[presetOf[otherHand[declared.convention.handedness]]].name;
 
 /** What is seen, in sentences: the first one stands below the picture, all of them are read aloud. */
 function describe(
@@ -135,23 +145,22 @@ function describe(
   const { handedness, direction } = declared.convention;
   const isActive = reading === "active";
   const rows = report.hamilton.matrix;
-  const ends = [0, 1, 2].map((column) =>
-    shownArray(
-      rows.map((row) => row[column] ?? 0),
-      digits,
-    ),
-  ) as [string, string, string];
+  const ends = [0, 1, 2].map((column) => coarse(rows.map((row) => row[column] ?? 0))) as [
+    string,
+    string,
+    string,
+  ];
   const sentences: string[] = [];
   const turning = isActive ? operatorTurn(report) : turn.axis && { ...turn, axis: turn.axis };
   const hasVector = vector.some((number) => number !== 0) && declared.image !== undefined;
   if (!isActive && poses === "both" && turn.axis) {
-    const other = wordsOf[presetOf[otherHand[handedness]]].name;
     const isSame = turn.angleDeg === 180;
-    sentences.push((isSame ? samePoseWords : otherPoseWords)(other, arrowOf(direction)));
+    const words = isSame ? samePoseWords : otherPoseWords;
+    sentences.push(words(otherName(report), arrowOf(direction)));
   }
   if (turning === undefined) sentences.push(noTurnWords);
   else {
-    const words = turnWords(angle, shownAxis(turning.axis, digits));
+    const words = turnWords(angle, shownAxis(turning.axis, "4"));
     const matrix = `${wordsOf[presetOf[handedness]].matrix}(q)`;
     sentences.push(
       isActive ? activeWords(words, matrix, hasVector) : passiveWords(words, hasVector),
@@ -164,8 +173,8 @@ function describe(
     const inBody = report.rules.operator === "body-to-world" ? vector : image;
     sentences.push(
       isActive
-        ? vectorWords.active(shownArray(vector, digits), shownArray(image, digits))
-        : vectorWords.passive(shownArray(inWorld, digits), shownArray(inBody, digits)),
+        ? vectorWords.active(coarse(vector), coarse(image))
+        : vectorWords.passive(coarse(inWorld), coarse(inBody)),
     );
   }
   return sentences;

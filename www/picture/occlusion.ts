@@ -85,6 +85,15 @@ export function painted(lines: readonly Line[], planes: readonly Plane[], camera
   return { behind: lists.behind.sort(farFirst), before: lists.before.sort(farFirst) };
 }
 
+/** Whether the solid stands between a point and the eye. */
+export function isHidden(point: Vector, planes: readonly Plane[], camera: Camera): boolean {
+  const parts = crossings({ from: point, to: camera.eye, pen: "" }, planes);
+  return parts.slice(1).some((end, at) => {
+    const middle = ((parts[at] ?? 0) + end) / 2;
+    return placeOf(between(point, camera.eye, middle), planes) === "inside";
+  });
+}
+
 /** The edges of the solid in a pose that the eye can see, as lines of one pen. */
 export function visibleEdges(pose: Quaternion, camera: Camera, pen: string): Line[] {
   const seen = new Set<string>();

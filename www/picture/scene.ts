@@ -38,7 +38,7 @@ export interface Turning {
 }
 
 const letters = ["x", "y", "z"] as const;
-const worldLength = 1.62;
+const worldLength = 1.52;
 const bodyLength = 1.24;
 const vectorLength = 1.3;
 const groundRadius = 1.3;
@@ -117,6 +117,8 @@ export function turningAxis(
   const middle = directionOf(towards) ?? acrossOf(axis);
   const start = turned(times(middle, arcRadius), turnAbout(axis, -angleRad / 2));
   const up = times(axis, arcHeight);
+  // The label follows the tip of the arrow.
+  const beyond = turned(times(middle, arcRadius + 0.2), turnAbout(axis, angleRad / 2 + 0.45));
   const round = withTip(arc(start, turning, "turn")).map((line) => ({
     ...line,
     from: plus(line.from, up),
@@ -127,7 +129,7 @@ export function turningAxis(
       { from: times(axis, -axisReach), to: times(axis, axisReach), pen: "turn-axis" },
       ...round,
     ],
-    labels: [{ at: plus(times(middle, arcRadius + 0.34), up), text: angleWords, pen: "turn" }],
+    labels: [{ at: plus(beyond, up), text: angleWords, pen: "turn" }],
   };
 }
 

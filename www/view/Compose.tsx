@@ -6,6 +6,7 @@ import type { Store } from "../state.ts";
 import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
+import { Picture } from "./Picture.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
 import { arrowOf, nameOf, presetLike, presetOf, wordsOf } from "./words.ts";
 
@@ -66,6 +67,7 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
   return (
     <>
       <Road report={report} engine={store.engine} digits={digits} />
+      <Picture store={store} of="compose" />
       {pairs.map(({ hamilton, jpl }) => (
         <section
           key={hamilton.left}

@@ -11,7 +11,7 @@ export const pictureWords = {
     passive: { name: "Passive", meaning: "the axes move" },
     active: { name: "Active", meaning: "the vector moves" },
   } satisfies Record<Reading, { name: string; meaning: string }>,
-  both: "Both products",
+  both: (other: string, direction: string) => `Also read as ${other}, ${direction}`,
   save: "Save SVG",
   reset: "First view",
   hands: "Drag to look round; drag the body to turn it.",
@@ -60,3 +60,29 @@ export function otherPoseWords(other: string, direction: string): string {
 export function samePoseWords(other: string, direction: string): string {
   return `Read as ${other}, ${direction}, these four numbers are the same pose: this turn is its own inverse.`;
 }
+
+/** The steps of a composition. */
+export const stepWords = {
+  name: "Step by step",
+  lead: "The same two turns of the body, about axes that stay and about axes that go along.",
+  steps: ["Start", "After the first turn", "After both"],
+  play: "Play",
+  about: {
+    fixed: (first: string, then: string) => `About fixed axes: first ${first}, then ${then}`,
+    moving: (first: string, then: string) => `About moving axes: first ${first}, then ${then}`,
+  },
+  start: "The body stands on the world axes.",
+  turned: {
+    fixed: (operand: string, angle: string, axis: string) =>
+      `${operand}: ${angle} about ${axis} of the world.`,
+    moving: (operand: string, angle: string, axis: string) =>
+      `${operand}: ${angle} about ${axis} of the body.`,
+  },
+  noTurn: (operand: string) => `${operand} is no turn.`,
+  end: (product: string) => `Both ways end in the same pose, that of ${product}.`,
+  label: {
+    fixed: "Picture of the turns about fixed axes",
+    moving: "Picture of the turns about moving axes",
+  },
+  fileName: { fixed: "quatlas-fixed-axes.svg", moving: "quatlas-moving-axes.svg" },
+};

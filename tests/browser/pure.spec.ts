@@ -4,7 +4,7 @@ import { fromFragment, opening, type PageState, toFragment } from "../../www/add
 import { axisPresets, inverseAxes } from "../../www/axis_texts.ts";
 import type { AxisMapping } from "../../www/engine.ts";
 import { alignedRows, exactArray, shown, shownArray, shownAxis } from "../../www/format.ts";
-import { axisPresetWords } from "../../www/words/axes.tsx";
+import { axisPresetWords } from "../../www/words/axes_choice.tsx";
 
 const jpl = {
   order: "scalar-last",

@@ -2,8 +2,8 @@
 import { type Axis, axes, axisValues } from "../address.ts";
 import type { Convention, MatrixConvention } from "../engine.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { moreWords } from "../words/axes.tsx";
 import { axisWords } from "../words/conventions.ts";
+import * as words from "../words/more.tsx";
 import { fiveWords, nameOf, operatorOf, valueWords } from "./conventions.ts";
 
 export function MoreAxes({ store }: { store: Store }) {
@@ -21,11 +21,11 @@ export function MoreAxes({ store }: { store: Store }) {
   return (
     <details class="more">
       <summary>
-        {moreWords.more}{" "}
+        {words.more}{" "}
         <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
       </summary>
       <div class="more-panel">
-        <p>{moreWords.five}</p>
+        <p>{words.five}</p>
         <div class="axis-choices">
           {axes.map((axis) => (
             <Choice
@@ -37,14 +37,14 @@ export function MoreAxes({ store }: { store: Store }) {
             />
           ))}
         </div>
-        <p>{moreWords.matrix(operatorOf(state.matrix))}</p>
+        <p>{words.matrix(operatorOf(state.matrix))}</p>
         <div class="axis-choices">
           {(["function", "direction"] as const).map((axis) => (
             <Choice
               key={axis}
               axis={axis}
               group={`matrix-${axis}`}
-              of={moreWords.ofMatrix}
+              of={words.ofMatrix}
               chosen={state.matrix[axis]}
               choose={(value) => setMatrix(axis, value)}
             />

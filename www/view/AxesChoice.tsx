@@ -2,7 +2,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { axisPresets } from "../axis_texts.ts";
 import type { Store } from "../state.ts";
-import { axesChoiceWords } from "../words/axes.tsx";
+import * as words from "../words/axes_choice.tsx";
 import { TextField } from "./Ask.tsx";
 
 const sides = [
@@ -21,42 +21,34 @@ export function AxesChoice({ store }: { store: Store }) {
   return (
     <details class="more" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        {axesChoiceWords.title}{" "}
-        <span class="more-now">{axesChoiceWords.summary(worldAxes, bodyAxes)}</span>
+        {words.title} <span class="more-now">{words.summary(worldAxes, bodyAxes)}</span>
       </summary>
       <div class="more-panel">
-        <p>{axesChoiceWords.lead}</p>
+        <p>{words.lead}</p>
         <div class="axes-sides">
           {sides.map(({ name, field, side, other, otherSide }) => (
-            <fieldset key={name} class="axes-side" aria-label={axesChoiceWords.side[side]}>
+            <fieldset key={name} class="axes-side" aria-label={words.side[side]}>
               <div class="axes-side-head">
-                <p class="axes-side-name">{axesChoiceWords.side[side]}</p>
+                <p class="axes-side-name">{words.side[side]}</p>
                 <button
                   type="button"
                   class="quiet"
                   disabled={state[name] === state[other]}
                   onClick={() => store.set({ [other]: state[name] })}
                 >
-                  {axesChoiceWords.sameFor[otherSide]}
+                  {words.sameFor[otherSide]}
                 </button>
               </div>
-              <TextField
-                store={store}
-                field={field}
-                name={name}
-                label={axesChoiceWords.field[side]}
-              />
+              <TextField store={store} field={field} name={name} label={words.field[side]} />
               <select
-                aria-label={axesChoiceWords.named[side]}
+                aria-label={words.named[side]}
                 value={axisPresets.find((preset) => preset === state[name]) ?? ""}
                 onChange={(event) => store.set({ [name]: event.currentTarget.value })}
               >
-                <option value="">
-                  {state[name] === "" ? axesChoiceWords.keep : axesChoiceWords.none}
-                </option>
+                <option value="">{state[name] === "" ? words.keep : words.none}</option>
                 {axisPresets.map((preset) => (
                   <option key={preset} value={preset}>
-                    {axesChoiceWords.preset(preset)}
+                    {words.preset(preset)}
                   </option>
                 ))}
               </select>
@@ -69,7 +61,7 @@ export function AxesChoice({ store }: { store: Store }) {
             class="quiet"
             onClick={() => store.set({ worldAxes: "", bodyAxes: "" })}
           >
-            {axesChoiceWords.keepAll}
+            {words.keepAll}
           </button>
         )}
       </div>

@@ -3,7 +3,7 @@ import type { Digits } from "../address.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
-import { composeWords } from "../words/compose.tsx";
+import * as words from "../words/compose.tsx";
 import { arrowOf, wordsOf } from "../words/conventions.ts";
 import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { nameOf, presetLike, presetOf } from "./conventions.ts";
@@ -16,7 +16,7 @@ export function Compose({ store }: { store: Store }) {
   const shownResult = store.compose.value;
   return (
     <>
-      <section class="ask" aria-label={composeWords.input}>
+      <section class="ask" aria-label={words.input}>
         <div class="ask-row">
           <div class="ask-pair">
             <TextField store={store} field="p" />
@@ -72,7 +72,7 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
         <section
           key={hamilton.left}
           class="pair"
-          aria-label={composeWords.equals(spelled(hamilton), spelled(jpl))}
+          aria-label={words.equals(spelled(hamilton), spelled(jpl))}
         >
           <h2 class="tie">
             <span class="hamilton">
@@ -82,7 +82,7 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
             <span class="jpl">
               <Formula product={jpl} />
             </span>
-            <span class="tie-words">{composeWords.tie}</span>
+            <span class="tie-words">{words.tie}</span>
           </h2>
           <div class="columns">
             <ProductCard product={hamilton} digits={digits} />
@@ -131,12 +131,12 @@ function Road({
   return (
     <section class={`card road ${preset ?? "custom"}`} aria-labelledby="road-name">
       <h2 id="road-name">
-        <Formula product={product} />: {composeWords.firstThen(right, left)}
+        <Formula product={product} />: {words.firstThen(right, left)}
       </h2>
       {preset === undefined && (
         <ComponentStrip
           symbol={spelled(product)}
-          name={composeWords.declared(spelled(product))}
+          name={words.declared(spelled(product))}
           components={product.quaternion}
           convention={product.convention}
           digits={digits}
@@ -144,21 +144,21 @@ function Road({
       )}
       <ol class="road-steps">
         <li>
-          <span class="road-frame">{composeWords.onAxes(<var>x</var>, start)}</span>
+          <span class="road-frame">{words.onAxes(<var>x</var>, start)}</span>
           <code>{shownArray(report.vector, digits)}</code>
         </li>
         <li>
-          <span class="road-frame">{composeWords.afterOnAxes(right, middle)}</span>
-          <code>{afterRight ? shownArray(afterRight, digits) : composeWords.beyond}</code>
+          <span class="road-frame">{words.afterOnAxes(right, middle)}</span>
+          <code>{afterRight ? shownArray(afterRight, digits) : words.beyond}</code>
         </li>
         <li>
-          <span class="road-frame">{composeWords.afterOnAxes(left, end)}</span>
-          <code>{afterBoth ? shownArray(afterBoth, digits) : composeWords.beyond}</code>
+          <span class="road-frame">{words.afterOnAxes(left, end)}</span>
+          <code>{afterBoth ? shownArray(afterBoth, digits) : words.beyond}</code>
         </li>
       </ol>
       <p>
-        {composeWords.meet(
-          name ?? composeWords.yours,
+        {words.meet(
+          name ?? words.yours,
           arrowOf(product.direction),
           [right, left],
           [start, middle, end],
@@ -174,46 +174,44 @@ function OrderWords({ report }: { report: ComposeReport }) {
     case "yes":
       return null;
     case "no":
-      return <p class="order-words">{composeWords.commute}</p>;
+      return <p class="order-words">{words.commute}</p>;
     case "only-in-sign":
-      return <p class="order-words">{composeWords.anticommute}</p>;
+      return <p class="order-words">{words.anticommute}</p>;
   }
 }
 
 function ProductCard({ product, digits }: { product: Product; digits: Digits }) {
   const preset = presetOf[product.convention.handedness];
-  const words = wordsOf[preset];
+  const own = wordsOf[preset];
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
   return (
-    <section class={`card column ${preset}`} aria-label={`${words.name}: ${spelled(product)}`}>
+    <section class={`card column ${preset}`} aria-label={`${own.name}: ${spelled(product)}`}>
       <header>
         <h3>
-          {words.name} <Formula product={product} />
+          {own.name} <Formula product={product} />
         </h3>
         <p class="axes">
           <span>
             {start} → {middle} → {end}
           </span>{" "}
-          <span>
-            {composeWords.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)}
-          </span>
+          <span>{words.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)}</span>
         </p>
       </header>
       <ComponentStrip
         symbol={spelled(product)}
-        name={`${words.name} ${spelled(product)}`}
+        name={`${own.name} ${spelled(product)}`}
         components={product.quaternion}
         convention={product.convention}
         digits={digits}
       />
       <div class="matrices">
         <Matrix
-          name={`${words.matrix}(${spelled(product)})`}
+          name={`${own.matrix}(${spelled(product)})`}
           symbol={
             <>
-              <var>{words.matrix}</var>(<Formula product={product} />) = <var>{words.matrix}</var>(
-              <var>{product.left}</var>) <var>{words.matrix}</var>(<var>{product.right}</var>)
+              <var>{own.matrix}</var>(<Formula product={product} />) = <var>{own.matrix}</var>(
+              <var>{product.left}</var>) <var>{own.matrix}</var>(<var>{product.right}</var>)
             </>
           }
           caption={`${start} → ${end}`}
@@ -221,7 +219,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
           digits={digits}
         />
       </div>
-      <p class="turns">{composeWords.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}</p>
+      <p class="turns">{words.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}</p>
     </section>
   );
 }

@@ -6,7 +6,7 @@ import type { ComponentOrder, Convention, Direction, Endpoint, Library } from ".
 import type { Store } from "../state.ts";
 import { arrowOf, lettersOf } from "../words/conventions.ts";
 import { knownWords } from "../words/library_behaviour.ts";
-import { endWords } from "../words/translate.tsx";
+import * as words from "../words/translate_ends.ts";
 import { Choice } from "./Axes.tsx";
 import { fiveWords } from "./conventions.ts";
 import { type Convened, LibraryPicker } from "./LibraryPicker.tsx";
@@ -31,10 +31,10 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
     set({ kind: "convention", convention });
   };
   return (
-    <fieldset class="end" aria-label={endWords.side[side]}>
+    <fieldset class="end" aria-label={words.side[side]}>
       <LibraryPicker
         engine={engine}
-        label={endWords.side[side]}
+        label={words.side[side]}
         end={end}
         choose={(id) => set({ kind: "library", id })}
         convene={convene}
@@ -46,7 +46,7 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
             <a
               href={`#${toFragment({ ...store.state.value, view: "libraries", library: library.id, find: "" })}`}
             >
-              {endWords.record}
+              {words.record}
             </a>
           </p>
           <div class="end-choices">
@@ -96,12 +96,12 @@ function DirectionChoice({
   if (usual === undefined) return null;
   const reason = (direction: Direction): string | undefined => {
     if (direction !== usual.direction) return undefined;
-    if (library.direction !== undefined) return endWords.documented;
-    return usual.assumed.includes("action") ? endWords.assumed : endWords.customary;
+    if (library.direction !== undefined) return words.documented;
+    return usual.assumed.includes("action") ? words.assumed : words.customary;
   };
   return (
     <Segments
-      legend={endWords.takes(usual.action)}
+      legend={words.takes(usual.action)}
       choices={axisValues.direction.map((direction) => ({
         value: direction,
         word: arrowOf(direction),
@@ -129,13 +129,13 @@ function OrderChoice({
   if (orders.length === 1 && (end.order === undefined || end.order === orders[0])) return null;
   const usual = orders[0] ?? "scalar-last";
   const reason = (order: string): string | undefined => {
-    if (orders.length === 0) return order === usual ? endWords.assumed : undefined;
-    if (order === library.arrayOrder) return endWords.array;
-    return order === library.constructorOrder ? endWords.constructor : undefined;
+    if (orders.length === 0) return order === usual ? words.assumed : undefined;
+    if (order === library.arrayOrder) return words.ofArray;
+    return order === library.constructorOrder ? words.ofConstructor : undefined;
   };
   return (
     <Segments
-      legend={endWords.order}
+      legend={words.order}
       choices={(["scalar-last", "scalar-first"] as const).map((order) => ({
         value: order,
         word: lettersOf[order],
@@ -197,7 +197,7 @@ function FiveAxes({
   return (
     <details class="end-five" open={isOpen}>
       <summary>
-        {endWords.five} <span class="more-now">{fiveWords(convention)}</span>
+        {words.five} <span class="more-now">{fiveWords(convention)}</span>
       </summary>
       <div class="axis-choices">
         {axes.map((axis: Axis) => (

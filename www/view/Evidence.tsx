@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import type { Library } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import { type Evidence, evidenceOf, type Observed } from "../observations.ts";
-import { evidenceWords, observedNames } from "../words/evidence.tsx";
+import * as words from "../words/evidence.tsx";
 
 export function EvidenceOf({ library }: { library: Library }) {
   const [evidence, setEvidence] = useState<Evidence | "none" | "failed" | undefined>(undefined);
@@ -19,10 +19,10 @@ export function EvidenceOf({ library }: { library: Library }) {
   }, [library.id]);
   return (
     <details class="evidence">
-      <summary>{evidenceWords.title}</summary>
-      {evidence === undefined && <p class="absent">{evidenceWords.loading}</p>}
-      {evidence === "none" && <p class="absent">{evidenceWords.none}</p>}
-      {evidence === "failed" && <p class="absent">{evidenceWords.failed}</p>}
+      <summary>{words.title}</summary>
+      {evidence === undefined && <p class="absent">{words.loading}</p>}
+      {evidence === "none" && <p class="absent">{words.none}</p>}
+      {evidence === "failed" && <p class="absent">{words.failed}</p>}
       {typeof evidence === "object" && <Printed evidence={evidence} />}
     </details>
   );
@@ -33,20 +33,20 @@ function Printed({ evidence }: { evidence: Evidence }) {
   return (
     <>
       <p>
-        {evidenceWords.inputs(
+        {words.inputs(
           <code>{written(a)}</code>,
           <code>{written(b)}</code>,
           <code>{written(v)}</code>,
         )}
       </p>
       <dl class="printed">
-        {Object.entries(observedNames).flatMap(([name, words]) => {
+        {Object.entries(words.observedNames).flatMap(([name, called]) => {
           const value = evidence.printed[name];
           return value === undefined
             ? []
             : [
                 <div key={name} class="record-fact">
-                  <dt>{words}</dt>
+                  <dt>{called}</dt>
                   <dd>
                     <pre>{written(value)}</pre>
                   </dd>

@@ -3,7 +3,7 @@ import { type Digits, sequenceName } from "../address.ts";
 import type { ReadQuaternion } from "../engine.ts";
 import { shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
 import { arrowOf } from "../words/conventions.ts";
-import { formWords } from "../words/form.tsx";
+import * as words from "../words/form.tsx";
 import { operatorOf } from "./conventions.ts";
 import { namesInOrder } from "./Value.tsx";
 
@@ -16,22 +16,22 @@ export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; 
     case "quaternion":
       return null;
     case "axis-angle":
-      return formWords.axisAngle(
+      return words.axisAngle(
         <code>{shownDegrees(degrees(form.angleRad), digits)}</code>,
         <code>{shownAxis(form.axis, digits)}</code>,
       );
     case "rotation-vector":
-      return formWords.rotationVector(<code>{shownArray(form.vectorRad, digits)}</code>);
+      return words.rotationVector(<code>{shownArray(form.vectorRad, digits)}</code>);
     case "euler-angles": {
       const { sequence, anglesRad } = form;
-      return formWords.euler(
+      return words.euler(
         sequenceName(sequence),
         sequence.frame,
         <code>{anglesRad.map((angle) => shownDegrees(degrees(angle), digits)).join(", ")}</code>,
       );
     }
     case "matrix":
-      return <>{formWords.matrix(arrowOf(operatorOf(form.convention)))}</>;
+      return <>{words.matrix(arrowOf(operatorOf(form.convention)))}</>;
   }
 }
 

@@ -3,7 +3,8 @@ import { useMemo } from "preact/hooks";
 import { opening, type PageState, toFragment } from "../address.ts";
 import type { Probe } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { answerWords, identifyWords, spokenWords } from "../words/identify.tsx";
+import * as words from "../words/identify.tsx";
+import { left } from "../words/identify_answer.tsx";
 import { familyWords, languageNames } from "../words/library_behaviour.ts";
 import { AnswerCard, answerId } from "./IdentifyAnswer.tsx";
 import { MatchingLibraries } from "./IdentifyLibraries.tsx";
@@ -16,8 +17,8 @@ import { codeLanguages, settledFamily } from "./identify_choices.ts";
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);
   const answer = kept.value;
-  if (answer === undefined) return <p class="left">{identifyWords.none}</p>;
-  const name = store.state.value.libraryName.trim() || identifyWords.unnamed;
+  if (answer === undefined) return <p class="left">{words.none}</p>;
+  const name = store.state.value.libraryName.trim() || words.unnamed;
   const { shown, age } = answer;
   const family = settledFamily(shown.remaining);
   return (
@@ -34,7 +35,7 @@ export function Identify({ store }: { store: Store }) {
       <p class="progress">
         <span>
           {family && <strong>{familyWords[family][0]}. </strong>}
-          {answerWords.left(shown.possible)}
+          {left(shown.possible)}
         </span>
         <button
           type="button"
@@ -44,7 +45,7 @@ export function Identify({ store }: { store: Store }) {
             document.getElementById(answerId)?.focus();
           }}
         >
-          {identifyWords.seeAnswer}
+          {words.seeAnswer}
         </button>
       </p>
     </>
@@ -72,7 +73,7 @@ const matrix = (printed: string): Probe => ({
 });
 
 const examples: {
-  name: keyof typeof identifyWords.exampleNames;
+  name: keyof typeof words.exampleNames;
   change: Pick<PageState, "observations" | "libraryName">;
 }[] = [
   {
@@ -127,9 +128,9 @@ function Ask({ store }: { store: Store }) {
   const empty = { observations: [], libraryName: "", unavailable: [] };
   const chosen = state.language === "message" ? "python" : state.language;
   return (
-    <section class="ask identify-ask" aria-label={identifyWords.input}>
+    <section class="ask identify-ask" aria-label={words.input}>
       <div class="ask-row">
-        <p class="identify-lead">{identifyWords.lead}</p>
+        <p class="identify-lead">{words.lead}</p>
         <button
           type="button"
           class="start"
@@ -138,12 +139,12 @@ function Ask({ store }: { store: Store }) {
             requestAnimationFrame(() => document.getElementById(printedId(0))?.focus());
           }}
         >
-          {identifyWords.start}
+          {words.start}
         </button>
       </div>
       <div class="ask-row">
         <label class="plain-field">
-          {identifyWords.library}
+          {words.library}
           <input
             type="text"
             value={state.libraryName}
@@ -153,7 +154,7 @@ function Ask({ store }: { store: Store }) {
           />
         </label>
         <label class="plain-field">
-          {identifyWords.code}
+          {words.code}
           <select
             value={chosen}
             onChange={(event) => {
@@ -169,7 +170,7 @@ function Ask({ store }: { store: Store }) {
           </select>
         </label>
         <div class="examples">
-          <span id="identify-examples">{identifyWords.examples}</span>
+          <span id="identify-examples">{words.examples}</span>
           <ul aria-labelledby="identify-examples">
             {examples.map(({ name, change }) => {
               const there = { ...change, unavailable: [] };
@@ -179,7 +180,7 @@ function Ask({ store }: { store: Store }) {
                     href={`#${toFragment({ ...state, ...there })}`}
                     aria-current={isEqual(state, there) ? "true" : undefined}
                   >
-                    {identifyWords.exampleNames[name]}
+                    {words.exampleNames[name]}
                   </a>
                 </li>
               );
@@ -197,14 +198,14 @@ export function spokenIdentity(store: Store): string {
   if (report === undefined) return "";
   const problems = report.observations.flatMap((observation, at) => {
     if (observation.status === "unexplained") {
-      return [spokenWords.unexplained(at)];
+      return [words.spokenUnexplained(at)];
     }
     if (observation.status !== "problem") return [];
-    return [spokenWords.problem(at, observation.problem)];
+    return [words.spokenProblem(at, observation.problem)];
   });
   if (problems.length > 0) return problems.join(" ");
   const { contradiction, possible, sentence } = report;
   return contradiction
-    ? spokenWords.contradiction(contradiction)
-    : spokenWords.answer(possible, sentence);
+    ? words.spokenContradiction(contradiction)
+    : words.spokenAnswer(possible, sentence);
 }

@@ -1,7 +1,8 @@
 // What is known of the library: a sentence, and the seven choices with the values that are left.
 import type { BehaviourAxis, IdentifyReport } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { answerWords, identifyWords } from "../words/identify.tsx";
+import { unnamed } from "../words/identify.tsx";
+import * as words from "../words/identify_answer.tsx";
 import { choiceWords } from "../words/observations.ts";
 import { Copy } from "./Copy.tsx";
 import { ContradictionWords } from "./IdentifyContradiction.tsx";
@@ -19,14 +20,14 @@ export const answerId = "identify-answer";
 
 export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) {
   const { report, shown, age } = answer;
-  const name = store.state.value.libraryName.trim() || identifyWords.unnamed;
+  const name = store.state.value.libraryName.trim() || unnamed;
   return (
     <section class={`card answer ${age === "current" ? "" : "aged"}`} aria-labelledby={answerId}>
       <header>
         <h2 id={answerId} tabIndex={-1}>
           {name}
         </h2>
-        <p class="left">{answerWords.left(shown.possible)}</p>
+        <p class="left">{words.left(shown.possible)}</p>
       </header>
       {report.contradiction && <ContradictionWords store={store} found={report.contradiction} />}
       <AgeWords answer={answer} />
@@ -36,7 +37,7 @@ export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) 
           <p id={sentenceId} tabIndex={-1}>
             {shown.sentence}
           </p>
-          <Copy of={answerWords.copied} text={shown.sentence} />
+          <Copy of={words.copied} text={shown.sentence} />
         </div>
       </div>
     </section>
@@ -45,14 +46,12 @@ export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) 
 
 /** Where the answer is not that of all observations. */
 function AgeWords({ answer: { age, uncounted, report } }: { answer: Answer }) {
-  const words = () => {
-    if (age === "of-others") return answerWords.ofOthers;
-    if (age === "current") return uncounted.length > 0 && answerWords.uncounted(uncounted);
-    return report.contradiction
-      ? answerWords.fromBeforeContradiction
-      : answerWords.fromBeforeChange(uncounted);
+  const sayOf = () => {
+    if (age === "of-others") return words.ofOthers;
+    if (age === "current") return uncounted.length > 0 && words.uncounted(uncounted);
+    return report.contradiction ? words.fromBeforeContradiction : words.fromBeforeChange(uncounted);
   };
-  const said = words();
+  const said = sayOf();
   return said ? <p class="old-result">{said}</p> : null;
 }
 
@@ -60,9 +59,9 @@ function AgeWords({ answer: { age, uncounted, report } }: { answer: Answer }) {
 function Choices({ report }: { report: IdentifyReport }) {
   return (
     <table class="choices">
-      <caption>{answerWords.choices}</caption>
-      <ChoiceRows title={answerWords.ofLibrary} choices={choicesOfLibrary} report={report} />
-      <ChoiceRows title={answerWords.ofUse} choices={choicesOfUse} report={report} />
+      <caption>{words.choices}</caption>
+      <ChoiceRows title={words.ofLibrary} choices={choicesOfLibrary} report={report} />
+      <ChoiceRows title={words.ofUse} choices={choicesOfUse} report={report} />
     </table>
   );
 }
@@ -83,7 +82,7 @@ function ChoiceRows({
         <th scope="colgroup" colSpan={2}>
           {title}
         </th>
-        <td>{answerWords.settled(settled, choices.length)}</td>
+        <td>{words.settled(settled, choices.length)}</td>
       </tr>
       {choices.map((choice) => {
         const left: readonly string[] = report.remaining[choice];
@@ -118,7 +117,7 @@ function ValueCell({
 }) {
   return (
     <td class={`value ${standing} ${presetOfValue[value] ?? "custom"}`}>
-      <span class="visually-hidden">{answerWords.standing[standing]}</span>
+      <span class="visually-hidden">{words.standing[standing]}</span>
       <span class="value-words">{wordsOfValue(choice, value)}</span>
       <span class="value-mark" aria-hidden="true">
         {standingMarks[standing]}

@@ -1,7 +1,7 @@
 // Observations that no library can have made together.
 import type { Contradiction } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { contradictionWords } from "../words/identify.tsx";
+import * as words from "../words/identify_contradiction.tsx";
 import { listed } from "../words/phrases.ts";
 import { claims } from "./identify_answer.ts";
 import { wordsOfValue } from "./identify_choices.ts";
@@ -9,9 +9,9 @@ import { wordsOfValue } from "./identify_choices.ts";
 export function ContradictionWords({ store, found }: { store: Store; found: Contradiction }) {
   return (
     <div class="problem contradiction">
-      <p class="problem-message">{contradictionWords.message(found)}</p>
+      <p class="problem-message">{words.message(found)}</p>
       <table class="claims">
-        <caption class="visually-hidden">{contradictionWords.claims}</caption>
+        <caption class="visually-hidden">{words.claims}</caption>
         <tbody>
           {claims(store, found).map(({ at, says, leavesWithout }) => (
             <tr key={at}>
@@ -19,14 +19,14 @@ export function ContradictionWords({ store, found }: { store: Store; found: Cont
               <td>
                 {says.length > 0
                   ? listed(says.map(({ choice, value }) => wordsOfValue(choice, value)))
-                  : contradictionWords.withOthers}
+                  : words.withOthers}
               </td>
-              <td class="claim-without">{contradictionWords.without(leavesWithout)}</td>
+              <td class="claim-without">{words.without(leavesWithout)}</td>
             </tr>
           ))}
         </tbody>
       </table>
-      <p>{contradictionWords.check(found.about)}</p>
+      <p>{words.check(found.about)}</p>
     </div>
   );
 }

@@ -2,7 +2,7 @@
 import { toFragment } from "../address.ts";
 import type { IdentifyReport, LibraryMatch } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { matchWords } from "../words/identify.tsx";
+import * as words from "../words/identify_matches.ts";
 import { knownWords } from "../words/library_behaviour.ts";
 import { libraryWith } from "./library.ts";
 
@@ -23,13 +23,13 @@ export function MatchingLibraries({ store, report }: { store: Store; report: Ide
   const sayLittle = all.filter((match) => open(match) > mostOpen);
   return (
     <section class="fact matches" aria-labelledby="matches-name">
-      <h2 id="matches-name">{matchWords.title(all.length, store.engine.libraries.length)}</h2>
-      {all.length === 0 && <p>{matchWords.none}</p>}
-      <MatchList store={store} title={matchWords.agree} matches={agree} />
-      <MatchList store={store} title={matchWords.leaveOpen} matches={leaveOpen} />
+      <h2 id="matches-name">{words.title(all.length, store.engine.libraries.length)}</h2>
+      {all.length === 0 && <p>{words.none}</p>}
+      <MatchList store={store} title={words.agree} matches={agree} />
+      <MatchList store={store} title={words.leaveOpen} matches={leaveOpen} />
       {sayLittle.length > 0 && (
         <details class="products">
-          <summary>{matchWords.sayLittle(sayLittle.length)}</summary>
+          <summary>{words.sayLittle(sayLittle.length)}</summary>
           <Matches store={store} matches={sayLittle} />
         </details>
       )}
@@ -56,7 +56,7 @@ function MatchList({
       <Matches store={store} matches={matches.slice(0, shownAtOnce)} />
       {more.length > 0 && (
         <details class="products">
-          <summary>{matchWords.more(more.length)}</summary>
+          <summary>{words.more(more.length)}</summary>
           <Matches store={store} matches={more} />
         </details>
       )}
@@ -95,7 +95,7 @@ function Match({
         {library.version}, {knownWords[library.known][0]}
       </span>
       {match.unestablished.length > 0 && (
-        <span class="match-open">{matchWords.unestablished(match.unestablished)}</span>
+        <span class="match-open">{words.unestablished(match.unestablished)}</span>
       )}
     </li>
   );

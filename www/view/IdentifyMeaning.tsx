@@ -2,7 +2,7 @@
 import type { ComponentChildren } from "preact";
 import type { CosineMatrix, Direction, Handedness, IdentifyReport, Side } from "../engine.ts";
 import { axisWords, wordsOf } from "../words/conventions.ts";
-import { meaningWords } from "../words/identify.tsx";
+import * as words from "../words/identify_meaning.tsx";
 import { familyWords, productWords, takesWords } from "../words/library_behaviour.ts";
 import { familySays, sideWords } from "../words/observations.ts";
 import { capital, unbroken } from "../words/phrases.ts";
@@ -14,7 +14,7 @@ export function Meaning({ report, name }: { report: IdentifyReport; name: string
     <div class="facts meaning">
       <Relatives report={report} name={name} />
       <section class="fact" aria-labelledby="unsettled-name">
-        <h2 id="unsettled-name">{meaningWords.unsettled}</h2>
+        <h2 id="unsettled-name">{words.unsettled}</h2>
         <LabelWords report={report} />
       </section>
     </div>
@@ -29,21 +29,21 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
   const rotations = (value: CosineMatrix) => <Value value={value} />;
   const rows: { name: string; cells: ComponentChildren[] }[] = [
     {
-      name: meaningWords.product,
+      name: words.product,
       cells: [products("right"), handedness.map(products), products("left")],
     },
     {
-      name: meaningWords.rotates,
+      name: words.rotates,
       cells: [rotations("R"), rotate.map(rotations), rotations("C")],
     },
     {
-      name: meaningWords.actsFirst,
+      name: words.actsFirst,
       cells: [operand("right"), firstToAct.map(operand), operand("right")],
     },
   ];
   return (
     <section class="fact relatives" aria-labelledby="relatives-name">
-      <h2 id="relatives-name">{meaningWords.relatives}</h2>
+      <h2 id="relatives-name">{words.relatives}</h2>
       <div class="table-scroll">
         <table>
           <thead>
@@ -78,7 +78,7 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
             <strong>{capital(familyWords[family][0])}.</strong> {familySays[family]}
           </>
         ) : (
-          meaningWords.familyOpen
+          words.familyOpen
         )}
       </p>
       <Follows report={report} />
@@ -86,13 +86,13 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
   );
 }
 
-const operand = (side: Side) => <span>{meaningWords.operand[side]}</span>;
+const operand = (side: Side) => <span>{words.operand[side]}</span>;
 
 /** One value, or both with `or` between them. */
 function alternatives(cells: ComponentChildren): ComponentChildren {
   if (!Array.isArray(cells)) return cells;
   if (cells.length === 0) return "–";
-  return cells.length === 1 ? cells[0] : <span class="open-cell">{meaningWords.open}</span>;
+  return cells.length === 1 ? cells[0] : <span class="open-cell">{words.open}</span>;
 }
 
 /** A product by its rule alone: its convention is the heading of the column. */
@@ -112,19 +112,19 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
     <ul class="notes follows">
       <li>
         {firstToAct.length === 1 && firstToAct[0]
-          ? meaningWords.first(sideWords[firstToAct[0]])
-          : meaningWords.firstOpen}
+          ? words.first(sideWords[firstToAct[0]])
+          : words.firstOpen}
       </li>
       <li>
         {direction.length === 1 && direction[0]
-          ? meaningWords.takes(takesWords[direction[0]])
-          : meaningWords.takesOpen}
+          ? words.takes(takesWords[direction[0]])
+          : words.takesOpen}
       </li>
       {settledValue(remaining, "rotate") && settledValue(remaining, "matrix") && (
         <li>
           {settledValue(remaining, "rotate") === settledValue(remaining, "matrix")
-            ? meaningWords.columns
-            : meaningWords.rows}
+            ? words.columns
+            : words.rows}
         </li>
       )}
     </ul>
@@ -136,13 +136,13 @@ function LabelWords({ report: { labels, remaining } }: { report: IdentifyReport 
   if (remaining.direction.length === 0) return null;
   return (
     <>
-      <p>{meaningWords.labels}</p>
+      <p>{words.labels}</p>
       <dl class="labels">
         {remaining.direction.map((direction) => (
           <div key={direction}>
             <dt>{takesWords[direction]}</dt>
             <dd>
-              {meaningWords.either(
+              {words.either(
                 labels.filter((label) => operatorOf(label) === direction).map(labelWords),
               )}
             </dd>
@@ -161,5 +161,5 @@ function labelWords({
   direction: Direction;
 }): string {
   const [name, effect] = axisWords.function.values[does];
-  return meaningWords.label(name, axisWords.direction.values[direction][0], effect);
+  return words.label(name, axisWords.direction.values[direction][0], effect);
 }

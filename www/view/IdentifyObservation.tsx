@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import { layouts } from "../address_probes.ts";
 import type { ObservationReport, Probe, Problem } from "../engine.ts";
 import { symbolOf } from "../words/conventions.ts";
-import { observationWords } from "../words/identify.tsx";
+import * as words from "../words/identify_observation.tsx";
 import { layoutNames, probeWords } from "../words/observations.ts";
 import { Copy } from "./Copy.tsx";
 import { fieldOf, inputsOf, type TextName, textOf, withText } from "./identify_probe.ts";
@@ -49,7 +49,7 @@ export function Observation({
     <Text
       key={text}
       id={`${id}-${text}`}
-      of={observationWords.of(at)}
+      of={words.of(at)}
       name={text}
       text={textOf(probe, text)}
       problem={problem?.field === fieldOf[text] ? problem : undefined}
@@ -70,11 +70,11 @@ export function Observation({
         </span>
         <h3 id={`${id}-name`}>
           <span class="visually-hidden">
-            {isQuestion ? observationWords.question(at) : observationWords.observation(at)}
+            {isQuestion ? words.question(at) : words.observation(at)}
           </span>
           {name}
         </h3>
-        {isFalse && <span class="badge">{observationWords.contradicts(contradicts)}</span>}
+        {isFalse && <span class="badge">{words.contradicts(contradicts)}</span>}
         {button}
       </header>
       <p class="observation-asks">{asks}</p>
@@ -83,7 +83,7 @@ export function Observation({
           <pre>
             <code>{code}</code>
           </pre>
-          <Copy of={observationWords.code(at)} text={code} />
+          <Copy of={words.code(at)} text={code} />
         </div>
       )}
       <div class={`observation-texts probe-${probe.probe}`}>
@@ -157,8 +157,8 @@ function Layout({
 }) {
   return (
     <label class="layout">
-      <span class="visually-hidden">{observationWords.of(at)} </span>
-      {observationWords.layout}{" "}
+      <span class="visually-hidden">{words.of(at)} </span>
+      {words.layout}{" "}
       <select
         value={probe.layout ?? "as-written"}
         onChange={(event) => {
@@ -182,7 +182,7 @@ const rounded = 1e-6;
 /** What an observation tells, or why it tells nothing. */
 function Told({
   report,
-  before = observationWords.empty,
+  before = words.empty,
 }: {
   report: ObservationReport | undefined;
   before?: string | undefined;
@@ -192,16 +192,16 @@ function Told({
     case "empty":
       return <p>{before}</p>;
     case "problem":
-      return <p class="problem">{observationWords.problem(report.problem)}</p>;
+      return <p class="problem">{words.problemOf(report.problem)}</p>;
     case "unexplained": {
       const off = report.distance === undefined ? undefined : percent(report.distance);
-      return <p class="problem">{observationWords.unexplained(off)}</p>;
+      return <p class="problem">{words.unexplained(off)}</p>;
     }
     case "told":
       return (
         <p>
-          {observationWords.told(report.settles, report.possible)}
-          {report.distance > rounded && observationWords.rounded(percent(report.distance))}
+          {words.told(report.settles, report.possible)}
+          {report.distance > rounded && words.rounded(percent(report.distance))}
         </p>
       );
   }

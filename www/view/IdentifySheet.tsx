@@ -2,7 +2,7 @@
 import { mostObservations } from "../address_probes.ts";
 import type { IdentifyReport, NextProbe, Probe, ProbeKind } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { sheetWords } from "../words/identify.tsx";
+import * as words from "../words/identify_sheet.tsx";
 import { probeWords } from "../words/observations.ts";
 import { Observation, printedId } from "./IdentifyObservation.tsx";
 import type { Answer } from "./identify_answer.ts";
@@ -52,9 +52,9 @@ export function Sheet({
   return (
     <section class="sheet" aria-labelledby="sheet-name">
       <header class="sheet-head">
-        <h2 id="sheet-name">{sheetWords.title}</h2>
-        {isExample && <span class="badge">{sheetWords.example}</span>}
-        <p>{sheetWords.lead}</p>
+        <h2 id="sheet-name">{words.title}</h2>
+        {isExample && <span class="badge">{words.example}</span>}
+        <p>{words.lead}</p>
       </header>
       <ol class="observations">
         {cards.map((probe, at) => {
@@ -78,7 +78,7 @@ export function Sheet({
                   <CannotRun store={store} kind={probe.probe} at={at} />
                 ) : (
                   <button type="button" class="quiet" onClick={() => remove(at)}>
-                    {sheetWords.remove(at)}
+                    {words.remove(at)}
                   </button>
                 )
               }
@@ -105,9 +105,7 @@ function questionAfter(observations: readonly Probe[], { report }: Answer): Next
 
 /** Said when the rest is for those who need it. */
 function leadTo({ settled }: IdentifyReport): string | undefined {
-  return choicesOfLibrary.every((choice) => settled.includes(choice))
-    ? sheetWords.settled
-    : undefined;
+  return choicesOfLibrary.every((choice) => settled.includes(choice)) ? words.settled : undefined;
 }
 
 function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: number }) {
@@ -121,7 +119,7 @@ function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: num
         focusSoon(printedId(at));
       }}
     >
-      {sheetWords.cannotRun}
+      {words.cannotRun}
     </button>
   );
 }
@@ -129,19 +127,18 @@ function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: num
 /** Why nothing is asked. */
 function NoQuestion({ store, answer: { report } }: { store: Store; answer: Answer }) {
   const { observations, unavailable } = store.state.value;
-  return <p class="no-question">{words()}</p>;
+  return <p class="no-question">{reason()}</p>;
 
-  function words(): string {
-    const { noQuestion } = sheetWords;
-    if (report.contradiction) return noQuestion.contradicted;
+  function reason(): string {
+    if (report.contradiction) return words.questionAfterContradiction;
     const open = observations.findIndex((probe, at) => {
       const isOpen = report.observations[at]?.status !== "told";
       return isOpen && probe.probe === report.next?.probe.probe;
     });
-    if (open >= 0) return noQuestion.open(open);
-    if (report.next) return noQuestion.full(mostObservations);
-    if (report.possible === 1) return noQuestion.settled;
-    return unavailable.length > 0 ? noQuestion.unavailable : noQuestion.exhausted;
+    if (open >= 0) return words.questionAfter(open);
+    if (report.next) return words.full(mostObservations);
+    if (report.possible === 1) return words.allSettled;
+    return unavailable.length > 0 ? words.noneToRun : words.noneTellsMore;
   }
 }
 
@@ -155,9 +152,9 @@ function Unavailable({ store }: { store: Store }) {
   };
   return (
     <p class="unavailable">
-      {sheetWords.notAsked(unavailable.map((kind) => probeWords[kind].name))}{" "}
+      {words.notAsked(unavailable.map((kind) => probeWords[kind].name))}{" "}
       <button type="button" class="quiet" onClick={askAgain}>
-        {sheetWords.askAgain}
+        {words.askAgain}
       </button>
     </p>
   );
@@ -178,11 +175,11 @@ function Add({ store }: { store: Store }) {
   };
   return (
     <fieldset class="add" disabled={observations.length >= mostObservations}>
-      <legend>{sheetWords.add}</legend>
+      <legend>{words.add}</legend>
       {kinds.map((kind) => (
         <button key={kind} type="button" class="chip" onClick={() => add(kind)}>
           {probeWords[kind].name}
-          {isTried(kind) && <span class="visually-hidden">{sheetWords.onceMore}</span>}
+          {isTried(kind) && <span class="visually-hidden">{words.onceMore}</span>}
         </button>
       ))}
     </fieldset>

@@ -4,7 +4,7 @@ import { toFragment } from "../address.ts";
 import type { Group, Known, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { lettersOf } from "../words/conventions.ts";
-import { librariesWords } from "../words/libraries.tsx";
+import * as words from "../words/libraries.tsx";
 import {
   familyWords,
   groupNames,
@@ -16,7 +16,7 @@ import { LibraryRecord } from "./LibraryRecord.tsx";
 import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "./library.ts";
 import { found } from "./library_search.ts";
 
-const { columns } = librariesWords;
+const { columns } = words;
 
 export function Libraries({ store }: { store: Store }) {
   const { find, library: opened } = store.state.value;
@@ -26,30 +26,30 @@ export function Libraries({ store }: { store: Store }) {
   useEffect(() => bringIntoView(opened), [opened]);
   return (
     <>
-      <section class="ask library-ask" aria-label={librariesWords.input}>
-        <h2 class="visually-hidden">{librariesWords.title}</h2>
+      <section class="ask library-ask" aria-label={words.input}>
+        <h2 class="visually-hidden">{words.title}</h2>
         <div class="library-find">
-          <label for={inputId}>{librariesWords.find}</label>
+          <label for={inputId}>{words.find}</label>
           <input
             id={inputId}
             type="search"
             autocomplete="off"
             spellcheck={false}
-            placeholder={librariesWords.findExample}
+            placeholder={words.findExample}
             value={find}
             onInput={(event) => store.set({ find: event.currentTarget.value })}
           />
         </div>
         <p class="library-intro">
-          {counted(matching, libraries)} {librariesWords.legend}
+          {counted(matching, libraries)} {words.legend}
         </p>
       </section>
       <div class="result current">
         {matching.length === 0 ? (
           <p class="absent">
-            {librariesWords.none}{" "}
+            {words.none}{" "}
             <button type="button" class="quiet" onClick={() => store.set({ find: "" })}>
-              {librariesWords.showAll(libraries.length)}
+              {words.showAll(libraries.length)}
             </button>
           </p>
         ) : (
@@ -99,7 +99,7 @@ function counted(matching: readonly Library[], all: readonly Library[]): string 
   const known = (["run", "read", "documented"] as const)
     .map((how) => [how, of(how)] as const)
     .filter(([, count]) => count > 0);
-  return librariesWords.counted(matching.length, all.length, known);
+  return words.counted(matching.length, all.length, known);
 }
 
 function GroupRows({
@@ -183,5 +183,5 @@ function NotEstablished() {
 export function spokenLibraries(store: Store): string {
   const matching = foundIn(store);
   const opened = matching.find(({ id }) => id === store.state.value.library);
-  return librariesWords.spoken(matching.length, store.engine.libraries.length, opened?.name);
+  return words.spoken(matching.length, store.engine.libraries.length, opened?.name);
 }

@@ -1,8 +1,8 @@
 // A field to find a library by typing: a combobox with a list, after the pattern of WAI-ARIA.
 import { useEffect, useId, useRef, useState } from "preact/hooks";
 import type { Endpoint, Engine, Library } from "../engine.ts";
-import { pickerWords } from "../words/libraries.tsx";
 import { groupNames } from "../words/library_behaviour.ts";
+import * as words from "../words/library_picker.ts";
 import { namedOf } from "./conventions.ts";
 import { aboutLibrary, endName, groups } from "./library.ts";
 import { found } from "./library_search.ts";
@@ -123,7 +123,7 @@ export function LibraryPicker({
         ref={list}
         class="picker-list"
         role="listbox"
-        aria-label={pickerWords.list(label)}
+        aria-label={words.list(label)}
         hidden={!isOpen}
         // A click in the list must not take the focus from the field.
         onMouseDown={(event) => event.preventDefault()}
@@ -158,7 +158,7 @@ export function LibraryPicker({
             aria-disabled="true"
             tabIndex={-1}
           >
-            {pickerWords.none(asked)}
+            {words.none(asked)}
           </div>
         )}
       </div>
@@ -179,10 +179,10 @@ function sectionsFor(
     choose: () => choose(library.id),
   });
   const convened: Section = {
-    name: pickerWords.conventions,
-    options: (Object.keys(pickerWords.convention) as Convened[])
-      .map((key) => ({ key, ...pickerWords.convention[key] }))
-      .filter(({ name, about }) => fits(`${name} ${about} ${pickerWords.conventionWord}`, asked))
+    name: words.conventions,
+    options: (Object.keys(words.convention) as Convened[])
+      .map((key) => ({ key, ...words.convention[key] }))
+      .filter(({ name, about }) => fits(`${name} ${about} ${words.conventionWord}`, asked))
       .map(({ key, name, about }) => ({ key: `:${key}`, name, about, choose: () => convene(key) })),
   };
   const libraries = found(engine.libraries, asked, (library) => aboutLibrary(library, engine));
@@ -192,15 +192,15 @@ function sectionsFor(
           name: groupNames[group],
           options: libraries.filter((library) => library.group === group).map(libraryOption),
         }))
-      : [{ name: pickerWords.libraries, options: libraries.map(libraryOption) }];
+      : [{ name: words.libraries, options: libraries.map(libraryOption) }];
   return [convened, ...sections].filter((section) => section.options.length > 0);
 }
 
-const fits = (words: string, asked: string) =>
+const fits = (text: string, asked: string) =>
   asked
     .toLowerCase()
     .split(/\s+/)
-    .every((word) => words.toLowerCase().includes(word));
+    .every((word) => text.toLowerCase().includes(word));
 
 function keyOf(end: Endpoint, engine: Engine): string {
   if (end.kind === "library") return end.id;

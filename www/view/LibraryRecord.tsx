@@ -3,7 +3,6 @@ import type { ComponentChildren } from "preact";
 import { type PageState, toFragment } from "../address.ts";
 import type { Code, Endpoint, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { recordWords } from "../words/libraries.tsx";
 import {
   axisAngleWords,
   familyWords,
@@ -18,6 +17,7 @@ import {
   takesWords,
   zeroWords,
 } from "../words/library_behaviour.ts";
+import * as words from "../words/library_record.tsx";
 import { Copy } from "./Copy.tsx";
 import { EvidenceOf } from "./Evidence.tsx";
 import { establishedOf } from "./library.ts";
@@ -28,66 +28,64 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
     `#${toFragment({ ...store.state.value, ...change })}`;
   const end: Endpoint = { kind: "library", id: library.id };
   return (
-    <article class="record" aria-label={recordWords.title(library.name)}>
+    <article class="record" aria-label={words.title(library.name)}>
       <p class="record-links">
         <a class="quiet" href={linkTo({ view: "translate", from: end })}>
-          {recordWords.from}
+          {words.from}
         </a>
         <a class="quiet" href={linkTo({ view: "translate", to: end })}>
-          {recordWords.to}
+          {words.to}
         </a>
         <span class="record-link">
-          {recordWords.link}
-          <Copy of={recordWords.copiedLink} text={permalink(library.id)} />
+          {words.link}
+          <Copy of={words.copiedLink} text={permalink(library.id)} />
         </span>
       </p>
       {library.note !== undefined && <p class="record-note">{library.note}</p>}
       <div class="record-parts">
         <div>
-          <h3>{recordWords.means}</h3>
+          <h3>{words.means}</h3>
           <dl>
-            <Fact name={recordWords.called}>
+            <Fact name={words.called}>
               {family && (
                 <>
                   <strong>{familyWords[family][0]}</strong>: {familyWords[family][1]}
                 </>
               )}
             </Fact>
-            <Fact name={recordWords.direction}>
-              {library.direction &&
-                action &&
-                recordWords.takes(action, takesWords[library.direction])}
+            <Fact name={words.direction}>
+              {library.direction && action && words.takes(action, takesWords[library.direction])}
             </Fact>
             {library.euler?.map(({ call, means }, at) => (
-              <Fact key={call} name={at === 0 ? recordWords.euler : ""}>
-                {recordWords.eulerCall(call, means.replaceAll("-", "−"))}
+              <Fact key={call} name={at === 0 ? words.euler : ""}>
+                {words.eulerCall(call, means.replaceAll("-", "−"))}
               </Fact>
             ))}
-            <Fact name={recordWords.axisAngle}>
+            <Fact name={words.axisAngle}>
               {library.axisAngle && axisAngleWords[library.axisAngle]}
             </Fact>
-            <Fact name={recordWords.ofMatrix}>
+            <Fact name={words.ofMatrix}>
               {library.matrixToQuaternion &&
                 `${signWords[library.matrixToQuaternion.sign]}; ${halfTurnWords[library.matrixToQuaternion.halfTurns]}`}
             </Fact>
-            <Fact name={recordWords.slerp}>{library.slerp && slerpWords[library.slerp]}</Fact>
-            <Fact name={recordWords.nonUnit}>{resultWords(library.nonUnit, nonUnitWords)}</Fact>
-            <Fact name={recordWords.zero}>{resultWords(library.zero, zeroWords)}</Fact>
+            <Fact name={words.slerp}>{library.slerp && slerpWords[library.slerp]}</Fact>
+            <Fact name={words.nonUnit}>{resultWords(library.nonUnit, nonUnitWords)}</Fact>
+            <Fact name={words.zero}>{resultWords(library.zero, zeroWords)}</Fact>
           </dl>
         </div>
         <div>
           <h3>{languageNames[library.language]}</h3>
           <CodeOf code={library.code} />
-          <h3>{recordWords.known}</h3>
+          <h3>{words.known}</h3>
           <dl>
             <Fact name={knownWords[library.known][0]}>{knownWords[library.known][1]}</Fact>
             {library.calls !== undefined && (
-              <Fact name={recordWords.calls}>
+              <Fact name={words.calls}>
                 <code>{library.calls}</code>
               </Fact>
             )}
             {library.source && (
-              <Fact name={recordWords.source}>
+              <Fact name={words.source}>
                 {library.source.text}{" "}
                 {library.source.url !== undefined && (
                   <a href={library.source.url} rel="noreferrer">
@@ -122,7 +120,7 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
 }
 
 function CodeOf({ code }: { code: Code | undefined }) {
-  const lines = (Object.keys(recordWords.code) as (keyof Code)[]).flatMap((name) => {
+  const lines = (Object.keys(words.code) as (keyof Code)[]).flatMap((name) => {
     const line = code?.[name];
     return line === undefined ? [] : [{ name, line: line.replace(/\{([wxyz])\}f?/g, "$1") }];
   });
@@ -131,10 +129,10 @@ function CodeOf({ code }: { code: Code | undefined }) {
     <dl class="record-code">
       {lines.map(({ name, line }) => (
         <div key={name} class="record-fact">
-          <dt>{recordWords.code[name]}</dt>
+          <dt>{words.code[name]}</dt>
           <dd>
             <code>{line}</code>
-            <Copy of={recordWords.copiedCall(recordWords.code[name])} text={line} />
+            <Copy of={words.copiedCall(words.code[name])} text={line} />
           </dd>
         </div>
       ))}

@@ -2,7 +2,7 @@
 import type { Digits, Preset } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
 import { shownArray } from "../format.ts";
-import { relationWords } from "../words/relation.tsx";
+import * as words from "../words/relation.tsx";
 import { operatorOf } from "./conventions.ts";
 
 export function Relation({
@@ -18,30 +18,28 @@ export function Relation({
   const isEq18 = handedness === "left" && operatorOf(declaration) === "body-to-world";
   const array = (numbers: readonly number[]) => <code>{shownArray(numbers, digits)}</code>;
   return (
-    <section class="relation" aria-label={relationWords.title}>
+    <section class="relation" aria-label={words.title}>
       <div class="relation-part applies">
-        <h2>{relationWords.sameNumbers}</h2>
-        <p>{relationWords.sameNumbersSays}</p>
+        <h2>{words.sameNumbers}</h2>
+        <p>{words.sameNumbersSays}</p>
         <dl class="relation-numbers">
-          <dt class="hamilton">{relationWords.hamilton}</dt>
+          <dt class="hamilton">{words.hamilton}</dt>
           <dd>{array(report.hamilton.quaternion.array)}</dd>
-          <dt class="jpl">{relationWords.jpl}</dt>
+          <dt class="jpl">{words.jpl}</dt>
           <dd>{array(report.jpl.quaternion.array)}</dd>
         </dl>
-        <p class="relation-applies">{relationWords.applies(declared)}</p>
+        <p class="relation-applies">{words.applies(declared)}</p>
       </div>
       <div class="relation-part">
-        <h2>{relationWords.sameMatrix}</h2>
-        <p>{relationWords.sameMatrixSays}</p>
+        <h2>{words.sameMatrix}</h2>
+        <p>{words.sameMatrixSays}</p>
         <dl class="relation-numbers">
-          <dt class="hamilton">{relationWords.hamilton}</dt>
+          <dt class="hamilton">{words.hamilton}</dt>
           <dd>{array(report.hamilton.quaternion.array)}</dd>
-          <dt class="jpl">{relationWords.jplBodyToWorld}</dt>
+          <dt class="jpl">{words.jplBodyToWorld}</dt>
           <dd>{array(report.jplWithSameMatrix.array)}</dd>
         </dl>
-        <p class="relation-applies">
-          {isEq18 ? relationWords.declared : relationWords.appliesNot(declared)}
-        </p>
+        <p class="relation-applies">{isEq18 ? words.declared : words.appliesNot(declared)}</p>
       </div>
     </section>
   );

@@ -5,7 +5,8 @@ import type { TranslateReport } from "../engine.ts";
 import { exact, shown } from "../format.ts";
 import type { Store } from "../state.ts";
 import { arrowOf } from "../words/conventions.ts";
-import { changeWords, type EndNames, translateWords } from "../words/translate.tsx";
+import type { EndNames } from "../words/translate.ts";
+import * as words from "../words/translate.ts";
 import { AskStatus, DigitsSwitch, TextField } from "./Ask.tsx";
 import { AxesChoice } from "./AxesChoice.tsx";
 import { nameOf as conventionName } from "./conventions.ts";
@@ -23,7 +24,7 @@ export function Translate({ store }: { store: Store }) {
   const shownResult = store.translate.value;
   return (
     <>
-      <section class="ask" aria-label={translateWords.input}>
+      <section class="ask" aria-label={words.input}>
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
           <DigitsSwitch store={store} />
@@ -64,18 +65,18 @@ function SwapButton({ store }: { store: Store }) {
     });
   };
   return (
-    <button type="button" class="swap" onClick={swap} title={translateWords.swap}>
+    <button type="button" class="swap" onClick={swap} title={words.swap}>
       <svg viewBox="0 0 20 20" width="20" height="20" aria-hidden="true">
         <path d="M3 7 H16 M12.5 3.5 L16 7 L12.5 10.5 M17 13 H4 M7.5 9.5 L4 13 L7.5 16.5" />
       </svg>
-      <span class="visually-hidden">{translateWords.swap}</span>
+      <span class="visually-hidden">{words.swap}</span>
     </button>
   );
 }
 
 const library = (id: string) => ({ kind: "library", id }) as const;
 
-const examples: ({ name: keyof typeof translateWords.exampleNames } & Partial<PageState>)[] = [
+const examples: ({ name: keyof typeof words.exampleNames } & Partial<PageState>)[] = [
   { name: "ceres" },
   {
     name: "px4",
@@ -134,12 +135,12 @@ const openingTranslation = {
 function Examples({ store }: { store: Store }) {
   return (
     <div class="examples">
-      <span id="examples-label">{translateWords.examples}</span>
+      <span id="examples-label">{words.examples}</span>
       <ul aria-labelledby="examples-label">
         {examples.map(({ name, ...example }) => (
           <li key={name}>
             <a href={`#${toFragment({ ...store.state.value, ...openingTranslation, ...example })}`}>
-              {translateWords.exampleNames[name]}
+              {words.exampleNames[name]}
             </a>
           </li>
         ))}
@@ -154,17 +155,17 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
   return (
     <div class="read-as">
       <p>
-        {translateWords.readAs} <NamedComponents quaternion={report.quaternion} digits={digits} />
+        {words.readAs} <NamedComponents quaternion={report.quaternion} digits={digits} />
       </p>
       {proposed && (
         <p class="proposal">
-          {translateWords.looksLike(proposed.name)}{" "}
+          {words.looksLike(proposed.name)}{" "}
           <button
             type="button"
             class="quiet"
             onClick={() => store.set({ from: library(proposed.id) })}
           >
-            {translateWords.translateFrom(proposed.name)}
+            {words.translateFrom(proposed.name)}
           </button>
         </p>
       )}
@@ -186,7 +187,7 @@ function Result({
   return (
     <>
       <section class="card translation custom" aria-labelledby="translation-name">
-        <h2 id="translation-name">{changeWords(report)}</h2>
+        <h2 id="translation-name">{words.changeWords(report)}</h2>
         <div class="translation-numbers">
           {(["from", "to"] as const).map((side) => (
             <div key={side} class={`translation-end ${accentOf(report[side].family)}`}>
@@ -195,7 +196,7 @@ function Result({
               </p>
               <ComponentStrip
                 symbol="q"
-                name={translateWords.components(names[side], report[side].order)}
+                name={words.components(names[side], report[side].order)}
                 components={report[side].components}
                 convention={report[side]}
                 digits={digits}
@@ -233,11 +234,11 @@ function namesOf(report: TranslateReport, store: Store): EndNames {
   const nameOf = (side: "from" | "to") => {
     const { library, convention } = report[side];
     return library === undefined
-      ? (conventionName(convention, engine) ?? translateWords.yours)
+      ? (conventionName(convention, engine) ?? words.yours)
       : endName({ kind: "library", id: library }, engine);
   };
   const [from, to] = [nameOf("from"), nameOf("to")];
-  return from === to ? translateWords.sameNames(from) : { from, to };
+  return from === to ? words.sameNames(from) : { from, to };
 }
 
 /** What a screen reader hears when the result changes. */
@@ -249,5 +250,5 @@ export function spokenTranslation(store: Store): string {
   const numbers = namesInOrder(report.to).map(
     (name) => `${name} ${shown(components[name], digits)}`,
   );
-  return translateWords.spoken(namesOf(report, store).to, numbers, report);
+  return words.spoken(namesOf(report, store).to, numbers, report);
 }

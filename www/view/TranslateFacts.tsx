@@ -3,14 +3,10 @@ import { type Digits, toFragment } from "../address.ts";
 import type { AxesReport, Engine, MappedAxes, TranslatedEnd, TranslateReport } from "../engine.ts";
 import { shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
-import {
-  axesCardWords,
-  type EndNames,
-  frameWords,
-  mistakeOf,
-  mistakesWords,
-  productCardWords,
-} from "../words/translate.tsx";
+import type { EndNames } from "../words/translate.ts";
+import * as axesWords from "../words/translate_axes.tsx";
+import * as mistakeWords from "../words/translate_mistakes.tsx";
+import * as productWords from "../words/translate_product.tsx";
 import { libraryWith } from "./library.ts";
 import { Matrix } from "./Value.tsx";
 
@@ -29,21 +25,21 @@ export function ProductCard({
   const isKnown = product === "same" || product === "reversed";
   return (
     <section class="fact" aria-labelledby="product-name">
-      <h2 id="product-name">{productCardWords.title}</h2>
+      <h2 id="product-name">{productWords.title}</h2>
       {isKnown && (
         <p class="fact-value product-line">
           <code>{productOf(from, engine)}</code>
-          <span class="product-becomes">{productCardWords.becomes}</span>
+          <span class="product-becomes">{productWords.becomes}</span>
           <code>
             {product === "reversed" ? swapped(productOf(to, engine)) : productOf(to, engine)}
           </code>
         </p>
       )}
       <p>
-        {isKnown && productCardWords.operands(from, to, names, product)}
-        {product === "neither" && productCardWords.neither}
+        {isKnown && productWords.operands(from, to, names, product)}
+        {product === "neither" && productWords.neither}
         {product === "not-established" &&
-          productCardWords.unknown(`#${toFragment({ ...store.state.value, view: "identify" })}`)}
+          productWords.unknown(`#${toFragment({ ...store.state.value, view: "identify" })}`)}
       </p>
     </section>
   );
@@ -60,22 +56,22 @@ const swapped = (call: string) =>
 /** The angle by which the attitude is wrong. */
 export function MistakesCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
   const mistakes = report.mistakes.map(({ kind, angleDeg }) => ({
-    words: mistakeOf(kind, report.change),
+    words: mistakeWords.mistakeOf(kind, report.change),
     angleDeg,
   }));
   return (
     <section class="fact mistakes" aria-labelledby="mistakes-name">
-      <h2 id="mistakes-name">{mistakesWords.title}</h2>
+      <h2 id="mistakes-name">{mistakeWords.title}</h2>
       <ul>
         {mistakes.map(({ words, angleDeg }) => (
           <li key={words}>
             <span class="mistake-words">{words}</span>
             {angleDeg === 0 ? (
-              <span class="mistake-none">{mistakesWords.none}</span>
+              <span class="mistake-none">{mistakeWords.none}</span>
             ) : (
               <>
                 <span class="mistake-angle">
-                  {mistakesWords.off(<code>{shownDegrees(angleDeg, digits)}</code>)}
+                  {mistakeWords.off(<code>{shownDegrees(angleDeg, digits)}</code>)}
                 </span>
                 <span class="mistake-bar" aria-hidden="true">
                   <span style={{ width: `${(angleDeg / 180) * 100}%` }} />
@@ -94,8 +90,8 @@ export function AxesCard({ axes, digits }: { axes: AxesReport; digits: Digits })
   return (
     <section class="card column custom" aria-labelledby="axes-name">
       <header>
-        <h2 id="axes-name">{axesCardWords.title}</h2>
-        <p class="effect">{axesCardWords.formula}</p>
+        <h2 id="axes-name">{axesWords.title}</h2>
+        <p class="effect">{axesWords.formula}</p>
       </header>
       <div class="matrices">
         <Mapped of="world" mapped={axes.world} digits={digits} />
@@ -103,8 +99,10 @@ export function AxesCard({ axes, digits }: { axes: AxesReport; digits: Digits })
       </div>
       <p class="hand-words">
         {axes.world.text !== axes.body.text
-          ? axesCardWords.different(axes.world.hand)
-          : axesCardWords[axes.world.hand === "changed" ? "mirrored" : "kept"]}
+          ? axesWords.different(axes.world.hand)
+          : axes.world.hand === "changed"
+            ? axesWords.mirrored
+            : axesWords.kept}
       </p>
     </section>
   );
@@ -121,14 +119,14 @@ function Mapped({
 }) {
   return (
     <Matrix
-      name={axesCardWords.matrix(of)}
+      name={axesWords.matrix(of)}
       symbol={
         <>
           <var>A</var>
-          <sub>{frameWords[of]}</sub>
+          <sub>{axesWords.frameWords[of]}</sub>
         </>
       }
-      caption={axesCardWords.caption(mapped)}
+      caption={axesWords.caption(mapped)}
       rows={mapped.rows}
       digits={digits}
     />

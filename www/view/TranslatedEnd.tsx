@@ -12,7 +12,7 @@ import {
   resultWords,
   vectorWords,
 } from "../words/library_behaviour.ts";
-import { columnWords } from "../words/translate.tsx";
+import * as words from "../words/translated_end.tsx";
 import { Copy } from "./Copy.tsx";
 import { accentOf, libraryWith } from "./library.ts";
 import { Of } from "./TranslationWhy.tsx";
@@ -44,19 +44,19 @@ export function EndColumn({
         <h2 id={`${side}-name`}>{name}</h2>
         {library && <span class="badge">{knownWords[library.known][0]}</span>}
         <p class="axes">
-          <span>{end.handedness ? productWords[end.handedness] : columnWords.product}</span>{" "}
+          <span>{end.handedness ? productWords[end.handedness] : words.product}</span>{" "}
           <span>{lettersOf[end.order]}</span> <span>{arrowOf(end.direction)}</span>
         </p>
-        <p class="effect">{columnWords.takes(<Of action={end.action} />, end.direction)}</p>
+        <p class="effect">{words.takes(<Of action={end.action} />, end.direction)}</p>
         {assumed.map((what) => (
           <p key={what} class="assumed">
-            {columnWords.assumptions[what]}
+            {words.assumptions[what]}
           </p>
         ))}
       </header>
       {end.construct !== undefined && (
         <CodeLines
-          title={library ? languageNames[library.language] : columnWords.code}
+          title={library ? languageNames[library.language] : words.code}
           lines={[end.construct, end.usual]}
           of={name}
         />
@@ -64,10 +64,10 @@ export function EndColumn({
       {matrix ? (
         <div class="matrices">
           <Matrix
-            name={columnWords.matrix(name)}
+            name={words.matrix(name)}
             symbol={
               <>
-                {library && columnWords.asPrinted}
+                {library && words.asPrinted}
                 <Of action={matrix.form} />
               </>
             }
@@ -77,12 +77,12 @@ export function EndColumn({
           />
         </div>
       ) : (
-        <p class="absent">{columnWords.noMatrix}</p>
+        <p class="absent">{words.noMatrix}</p>
       )}
       <div class="rows">
         {otherOrder && (
           <ArrayRow
-            name={columnWords.constructed(name)}
+            name={words.constructed(name)}
             symbol={lettersOf[otherOrder]}
             numbers={
               otherOrder === "scalar-first"
@@ -90,15 +90,15 @@ export function EndColumn({
                 : [components.x, components.y, components.z, components.w]
             }
             digits={digits}
-            note={columnWords.constructedNote}
+            note={words.constructedNote}
           />
         )}
         <WordRow symbol={<code>a * b</code>}>
-          {end.firstToAct === undefined ? columnWords.noFirst : columnWords.first[end.firstToAct]}
+          {end.firstToAct === undefined ? words.noFirst : words.first[end.firstToAct]}
         </WordRow>
-        <WordRow symbol={columnWords.called}>
+        <WordRow symbol={words.called}>
           {end.family === undefined ? (
-            columnWords.noFamily
+            words.noFamily
           ) : (
             <>
               <strong>{familyWords[end.family][0]}</strong>: {familyWords[end.family][1]}
@@ -106,8 +106,8 @@ export function EndColumn({
           )}
         </WordRow>
         {library && !isUnit && (
-          <WordRow symbol={columnWords.nonUnit}>
-            {resultWords(library.nonUnit, nonUnitWords) || columnWords.noNonUnit}
+          <WordRow symbol={words.nonUnit}>
+            {resultWords(library.nonUnit, nonUnitWords) || words.noNonUnit}
           </WordRow>
         )}
       </div>
@@ -143,10 +143,7 @@ export function CodeLines({
         .map((line, at) => (
           <div key={at} class="code-line">
             <code>{line}</code>
-            <Copy
-              of={at === 0 ? columnWords.copiedLine(of) : columnWords.copiedCall(of)}
-              text={line}
-            />
+            <Copy of={at === 0 ? words.copiedLine(of) : words.copiedCall(of)} text={line} />
           </div>
         ))}
     </div>

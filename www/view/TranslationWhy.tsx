@@ -1,13 +1,14 @@
 // What is done to four numbers on the way, and why, with the frames.
 import type { CosineMatrix, TranslatedEnd, TranslateReport } from "../engine.ts";
-import { type EndNames, whyWords } from "../words/translate.tsx";
+import type { EndNames } from "../words/translate.ts";
+import * as words from "../words/translate_why.tsx";
 
 export function Why({ report, names }: { report: TranslateReport; names: EndNames }) {
   const { from, to } = report;
   return (
     <div class="why">
       <p>
-        {whyWords.sentence({
+        {words.sentence({
           isAssumed: [from, to].some(({ assumed }) => assumed.includes("action")),
           frames: <Frames from={from} to={to} names={names} />,
           isConjugated: isConjugated(report),
@@ -30,13 +31,13 @@ function Frames({ from, to, names }: { from: TranslatedEnd; to: TranslatedEnd; n
   const byTo = <Of action={to.action} />;
   if (sameDirection) {
     return sameAction
-      ? whyWords.same(names, from.direction, byFrom)
-      : whyWords.transposed(names, from.direction, [byFrom, byTo]);
+      ? words.same(names, from.direction, byFrom)
+      : words.transposed(names, from.direction, [byFrom, byTo]);
   }
   return (
     <>
-      {whyWords.each(names, [from.direction, to.direction], [byFrom, byTo])}
-      {sameAction ? whyWords.inverse : whyWords.asAsked(<Of action="R" />, <Of action="C" />)}
+      {words.each(names, [from.direction, to.direction], [byFrom, byTo])}
+      {sameAction ? words.inverse : words.asAsked(<Of action="R" />, <Of action="C" />)}
     </>
   );
 }
@@ -51,6 +52,6 @@ export function Of({ action }: { action: CosineMatrix }) {
 
 function orderWords(from: TranslatedEnd, to: TranslatedEnd): string {
   return from.order === to.order
-    ? whyWords.orderStays(to.order, to.constructorOrder)
-    : whyWords.scalarMoves[to.order];
+    ? words.orderStays(to.order, to.constructorOrder)
+    : words.scalarMoves[to.order];
 }

@@ -1,18 +1,17 @@
 // The words about the numbers that a library printed.
 import type { ComponentChildren } from "preact";
 
-export const evidenceWords = {
-  title: "What it printed",
-  loading: "Loading the recorded numbers …",
-  none: "No numbers are recorded.",
-  failed: "The recorded numbers could not be loaded: reload the page.",
-  inputs: (a: ComponentChildren, b: ComponentChildren, v: ComponentChildren) => (
-    <>
-      Quaternions by name as w x y z, whatever the order of the library, but for the array. In:{" "}
-      <var>a</var> = {a}, <var>b</var> = {b}, <var>v</var> = {v}.
-    </>
-  ),
-} as const;
+export const title = "What it printed";
+export const loading = "Loading the recorded numbers …";
+export const none = "No numbers are recorded.";
+export const failed = "The recorded numbers could not be loaded: reload the page.";
+
+export const inputs = (a: ComponentChildren, b: ComponentChildren, v: ComponentChildren) => (
+  <>
+    Quaternions by name as w x y z, whatever the order of the library, but for the array. In:{" "}
+    <var>a</var> = {a}, <var>b</var> = {b}, <var>v</var> = {v}.
+  </>
+);
 
 /** What each recorded observation is called, in the order in which they are shown. */
 export const observedNames: Record<string, string> = {

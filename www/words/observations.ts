@@ -13,7 +13,7 @@ import type {
 } from "../engine.ts";
 import { lettersOf } from "./conventions.ts";
 import { productWords } from "./library_behaviour.ts";
-import { unbroken } from "./phrases.ts";
+import { listed, unbroken } from "./phrases.ts";
 
 /** What each probe is called and asks. */
 export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
@@ -110,6 +110,10 @@ export const choiceWords: {
     values: { local: "the body", global: "the world" },
   },
 };
+
+/** As what choices are settled or disputed. */
+export const aboutOf = (choices: readonly BehaviourAxis[]) =>
+  listed(choices.map((choice) => choiceWords[choice].about));
 
 export const sideWords: Record<Side, string> = {
   left: "the left operand a",

@@ -1,5 +1,5 @@
 // How a product is translated.
-import type { Direction, TranslatedEnd } from "../engine.ts";
+import type { Direction, Side, TranslatedEnd } from "../engine.ts";
 import { notEstablished } from "./library_behaviour.ts";
 import type { EndNames } from "./translate.ts";
 
@@ -31,8 +31,8 @@ export const operands = (
 ) => (
   <>
     {from.firstToAct === to.firstToAct
-      ? `In both, the ${from.firstToAct} operand acts first on a vector`
-      : `In ${names.from} the ${from.firstToAct} operand acts first, in ${names.to} the ${to.firstToAct} one`}
+      ? `In both, the ${sideOf(from)} operand acts first on a vector`
+      : `In ${names.from} the ${sideOf(from)} operand acts first, in ${names.to} the ${sideOf(to)} one`}
     {from.direction === to.direction
       ? `, and both lead ${wayWords[from.direction]}`
       : `; one leads ${wayWords[from.direction]}, the other back`}
@@ -48,3 +48,7 @@ const wayWords: Record<Direction, string> = {
   "body-to-world": "from body to world",
   "world-to-body": "from world to body",
 };
+
+const sides: Record<Side, string> = { left: "left", right: "right" };
+
+const sideOf = ({ firstToAct }: TranslatedEnd) => firstToAct && sides[firstToAct];

@@ -2,8 +2,10 @@
 import { type Digits, sequenceName } from "../address.ts";
 import type { ReadQuaternion } from "../engine.ts";
 import { shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { arrowOf } from "../words/conventions.ts";
+import * as words from "../words/form.tsx";
+import { operatorOf } from "./conventions.ts";
 import { namesInOrder } from "./Value.tsx";
-import { arrowOf, operatorOf } from "./words.ts";
 
 const degrees = (radians: number) => Number(((radians * 180) / Math.PI).toPrecision(15));
 
@@ -14,30 +16,22 @@ export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; 
     case "quaternion":
       return null;
     case "axis-angle":
-      return (
-        <>
-          <code>{shownDegrees(degrees(form.angleRad), digits)}</code> about{" "}
-          <code>{shownAxis(form.axis, digits)}</code>:{" "}
-        </>
+      return words.axisAngle(
+        <code>{shownDegrees(degrees(form.angleRad), digits)}</code>,
+        <code>{shownAxis(form.axis, digits)}</code>,
       );
     case "rotation-vector":
-      return (
-        <>
-          a rotation vector <code>{shownArray(form.vectorRad, digits)}</code> rad:{" "}
-        </>
-      );
+      return words.rotationVector(<code>{shownArray(form.vectorRad, digits)}</code>);
     case "euler-angles": {
       const { sequence, anglesRad } = form;
-      const moving = sequence.frame === "intrinsic" ? "moving" : "fixed";
-      return (
-        <>
-          Euler angles {sequenceName(sequence)}, about the {moving} axes,{" "}
-          <code>{anglesRad.map((angle) => shownDegrees(degrees(angle), digits)).join(", ")}</code>:{" "}
-        </>
+      return words.euler(
+        sequenceName(sequence),
+        sequence.frame,
+        <code>{anglesRad.map((angle) => shownDegrees(degrees(angle), digits)).join(", ")}</code>,
       );
     }
     case "matrix":
-      return <>a matrix, {arrowOf(operatorOf(form.convention))}: </>;
+      return <>{words.matrix(arrowOf(operatorOf(form.convention)))}</>;
   }
 }
 

@@ -13,6 +13,7 @@ import { Notes } from "./Notes.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { changeWords, Why } from "./TranslationWhy.tsx";
+import { UndoRedo } from "./UndoRedo.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
 import { arrowOf, nameOf as conventionName, lettersOf } from "./words.ts";
 
@@ -24,6 +25,7 @@ export function Translate({ store }: { store: Store }) {
       <section class="ask" aria-label="Input">
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
+          <UndoRedo store={store} />
           <DigitsSwitch store={store} />
         </div>
         <div class="ends">

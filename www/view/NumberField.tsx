@@ -6,8 +6,8 @@ import type { Content } from "../history.ts";
 import { type Stride, stepped } from "../stepping.ts";
 import { leave, type NumberGroup, numberOf, partOf, write } from "./number_group.ts";
 
-/** As wide as the numbers that usually stand there, so that nothing moves when they change. */
-const widths: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
+/** The characters that have a place, so that nothing moves when a number changes; as in edit.css. */
+const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
 
 export function NumberField({
   group,
@@ -35,6 +35,7 @@ export function NumberField({
   const reading =
     typed === undefined ? (text ?? shown(group.numbers[at] ?? 0, digits)) : readable(typed, digits);
   const isWrong = group.isWrong(at);
+  const isLong = reading.length > places[digits];
 
   const begin = (field: HTMLInputElement) => {
     const { quaternion, matrix } = store.state.peek();
@@ -69,9 +70,9 @@ export function NumberField({
   return (
     <input
       type="text"
-      class="number"
+      class={`number digits-${digits} ${isLong ? "long" : ""}`}
       aria-label={label}
-      size={Math.max(widths[digits], reading.length)}
+      size={isLong ? reading.length : undefined}
       value={isEdited ? partOf(group, at) : reading}
       spellcheck={false}
       autocomplete="off"

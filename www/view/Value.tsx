@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
 import { type ComponentName, namesOf } from "../edited_text.ts";
 import type { Components, Convention } from "../engine.ts";
-import { alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
+import { alignedAll, alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
 import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
@@ -82,6 +82,7 @@ export function Matrix({
   edited?: Edited;
 }) {
   const group = edited && numberGroup(edited, rows.flat());
+  const cells = group ? alignedAll(rows, digits) : alignedRows(rows, digits);
   return (
     <figure class="matrix">
       <figcaption>
@@ -97,7 +98,7 @@ export function Matrix({
       >
         <table aria-label={name}>
           <tbody>
-            {alignedRows(rows, digits).map((row, at) => (
+            {cells.map((row, at) => (
               <tr key={at}>
                 {row.map((cell, column) => (
                   <td key={column}>

@@ -79,6 +79,15 @@ export function alignedRows(rows: readonly (readonly number[])[], digits: Digits
   );
 }
 
+/** The same where all columns are of one width. */
+export function alignedAll(rows: readonly (readonly number[])[], digits: Digits): string[][] {
+  const cells = alignedRows(
+    rows.flat().map((number) => [number]),
+    digits,
+  ).flat();
+  return rows.map((row, at) => cells.slice(at * row.length, (at + 1) * row.length));
+}
+
 function splitAtPoint(text: string): [string, string] {
   const at = text.search(/[.e]/);
   return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];

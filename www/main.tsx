@@ -4,13 +4,16 @@ import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
+import "./view/edit.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
 import "./view/picker.css";
 import "./view/picture.css";
 import "./view/translate.css";
+import { releaseOnLeaving } from "./view/hold.ts";
 import { Page } from "./view/Page.tsx";
+import { undoByKey } from "./view/undo_keys.ts";
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
@@ -21,6 +24,8 @@ loadEngine().then(
     root.replaceChildren();
     render(<Page store={store} />, root);
     keepAddress(store);
+    releaseOnLeaving();
+    undoByKey(store);
   },
   (error: unknown) => {
     root

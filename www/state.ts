@@ -1,7 +1,18 @@
 // The one mutable value of the page, and what follows from it.
-import { computed, signal } from "@preact/signals";
+import { batch, computed, signal } from "@preact/signals";
 import { fromFragment, opening, type PageState } from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
+import {
+  type Content,
+  changedParts,
+  closed,
+  type Doing,
+  type Move,
+  noHistory,
+  recorded,
+  redone,
+  undone,
+} from "./history.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
 export type Freshness = "current" | "old" | "opening";
@@ -11,12 +22,51 @@ export interface Shown<Report> {
   freshness: Freshness;
 }
 
+/** The last step back or forward, until something else is done. */
+export interface Undone {
+  way: "undone" | "redone";
+  parts: (keyof Content)[];
+}
+
+/**
+ * What was typed into the numbers of one group of the result: the parts of every text that they gave.
+ * It stands in the fields, instead of the numbers of the result, as long as the text is one of these.
+ */
+export interface Draft {
+  group: string;
+  parts: ReadonlyMap<string, readonly string[]>;
+}
+
 export type Store = ReturnType<typeof createStore>;
 
 export function createStore(engine: Engine, fragment: string) {
   const known = new Set(engine.libraries.map(({ id }) => id));
   const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
   const state = signal<PageState>(stateOf(fragment));
+
+  const history = signal(noHistory);
+  const lastUndone = signal<Undone | undefined>(undefined);
+  const draft = signal<Draft | undefined>(undefined);
+
+  const change = (next: PageState, doing: Doing) => {
+    batch(() => {
+      history.value = recorded(history.peek(), state.peek(), next, doing, Date.now());
+      lastUndone.value = undefined;
+      state.value = next;
+    });
+  };
+  const move = (way: Undone["way"], to: typeof undone) => {
+    const before = state.peek();
+    const moved = to(history.peek(), before.view);
+    if (moved === undefined) return;
+    batch(() => {
+      history.value = moved.history;
+      lastUndone.value = { way, parts: changedParts(before, moved.change) };
+      state.value = { ...before, ...moved.change };
+    });
+  };
+  const can = (to: (...given: Parameters<typeof undone>) => Move | undefined) =>
+    computed(() => to(history.value, state.value.view) !== undefined);
 
   // As text, so that what asks nothing of the core, such as the look of the picture, runs nothing.
   const asked = computed(() => JSON.stringify(requestOf(state.value, engine)));
@@ -52,12 +102,21 @@ export function createStore(engine: Engine, fragment: string) {
     failure,
     problems,
     problemOf: (field: Field) => problems.value.find((problem) => problem.field === field),
-    set: (change: Partial<PageState>) => {
-      state.value = { ...state.value, ...change };
+    /** The numbers of the result that are being edited. */
+    draft,
+    /** Changes the state; what is done as the same follows as one step of the history. */
+    set: (parts: Partial<PageState>, doing: Doing = {}) =>
+      change({ ...state.peek(), ...parts }, doing),
+    open: (fragment: string) => change(stateOf(fragment), {}),
+    /** Ends a step: what follows is undone by itself. */
+    step: () => {
+      history.value = closed(history.peek());
     },
-    open: (fragment: string) => {
-      state.value = stateOf(fragment);
-    },
+    undo: () => move("undone", undone),
+    redo: () => move("redone", redone),
+    canUndo: can(undone),
+    canRedo: can(redone),
+    lastUndone,
   };
 }
 

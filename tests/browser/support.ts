@@ -23,11 +23,19 @@ export const test = base.extend<{ page: Page }>({
 
 const minus = "−";
 
+/** What stands in elements, be it a text or the value of a field. */
+export function textsOf(elements: Locator): Promise<string[]> {
+  return elements.evaluateAll((found) =>
+    found.map((element) => element.querySelector("input")?.value ?? element.textContent ?? ""),
+  );
+}
+
 /** The cells of a matrix as numbers, row by row. */
 export async function numbersOf(table: Locator): Promise<number[]> {
-  const cells = await table.locator("td").allTextContents();
-  return cells.map((cell) => Number(cell.trim().replace(minus, "-")));
+  return (await textsOf(table.locator("td"))).map(numberOf);
 }
+
+export const numberOf = (text: string) => Number(text.trim().replace(minus, "-"));
 
 export function matrix(page: Page, name: string) {
   return page.getByRole("table", { name, exact: true });
@@ -37,7 +45,7 @@ export const quaternionField = (page: Page) => page.getByRole("textbox", { name:
 
 /** Tabs from the start of the page until the element has the focus. */
 export async function tabTo(page: Page, element: Locator) {
-  for (let presses = 0; presses < 40; presses += 1) {
+  for (let presses = 0; presses < 150; presses += 1) {
     if (await element.evaluate((node) => node === document.activeElement)) return;
     await page.keyboard.press("Tab");
   }

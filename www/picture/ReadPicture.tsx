@@ -60,7 +60,7 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
     const convention = declaredConvention(state, store.engine);
     const text = poseAsText(pose, convention, report.rules, state.digits);
     written.current = { pose, text };
-    store.set({ quaternion: text });
+    store.set({ quaternion: text }, { as: "turning the body" });
   };
 
   const save = () => {

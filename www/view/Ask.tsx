@@ -6,6 +6,7 @@ import type { Field } from "../engine.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { MoreAxes } from "./Axes.tsx";
 import { MarkedText } from "./MarkedText.tsx";
+import { UndoRedo } from "./UndoRedo.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 type TextName = "quaternion" | "p" | "q" | "vector" | "translated" | "worldAxes" | "bodyAxes";
@@ -68,6 +69,7 @@ export function AskRest({
     <>
       <div class="ask-row">
         <TextField store={store} field="vector" />
+        <UndoRedo store={store} />
         <DigitsSwitch store={store} />
       </div>
       {examples}

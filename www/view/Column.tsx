@@ -1,15 +1,19 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
 import type { Digits, Preset } from "../address.ts";
-import type { Column } from "../engine.ts";
+import type { Column, Direction } from "../engine.ts";
+import type { Store } from "../state.ts";
+import { editedComponents, editedMatrix } from "./number_group.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 import { wordsOf } from "./words.ts";
 
 export function ConventionColumn({
+  store,
   preset,
   declared,
   column,
   digits,
 }: {
+  store: Store;
   preset: Preset;
   /** The preset that was declared; none where the convention is another one. */
   declared: Preset | undefined;
@@ -17,6 +21,7 @@ export function ConventionColumn({
   digits: Digits;
 }) {
   const words = wordsOf[preset];
+  const { direction } = column.convention;
   const matrix = (
     <>
       <var>{words.matrix}</var>(<var>q</var>)
@@ -39,6 +44,7 @@ export function ConventionColumn({
         components={column.quaternion}
         convention={column.convention}
         digits={digits}
+        edited={editedComponents(store, `${preset} components`, column.convention, "preset")}
       />
       <div class="matrices">
         <Matrix
@@ -47,6 +53,7 @@ export function ConventionColumn({
           caption={words.direction}
           rows={column.matrix}
           digits={digits}
+          edited={editedMatrix(store, `${preset} matrix`, direction)}
         />
         <Matrix
           name={`inverse of ${words.matrix}(q)`}
@@ -60,6 +67,7 @@ export function ConventionColumn({
           caption={words.reversed}
           rows={column.inverseMatrix}
           digits={digits}
+          edited={editedMatrix(store, `${preset} inverse matrix`, reversed(direction))}
         />
       </div>
       <div class="rows">
@@ -138,4 +146,8 @@ export function ConventionColumn({
       </details>
     </section>
   );
+}
+
+function reversed(direction: Direction): Direction {
+  return direction === "body-to-world" ? "world-to-body" : "body-to-world";
 }

@@ -1,21 +1,23 @@
 // The declared convention where it is neither preset: its own numbers, and what it multiplies.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
-import type { Engine, ReadReport, Rules, Side } from "../engine.ts";
+import type { ReadReport, Rules, Side } from "../engine.ts";
+import type { Store } from "../state.ts";
+import { editedComponents, editedMatrix } from "./number_group.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 import { arrowOf, fiveWords, nameOf } from "./words.ts";
 
 export function DeclaredCard({
   report,
-  engine,
+  store,
   digits,
 }: {
   report: ReadReport;
-  engine: Engine;
+  store: Store;
   digits: Digits;
 }) {
   const { declared, rules } = report;
-  const name = nameOf(declared.convention, engine);
+  const name = nameOf(declared.convention, store.engine);
   const act = (
     <>
       <var>q</var>∘<var>x</var>∘<var>q</var>
@@ -37,6 +39,7 @@ export function DeclaredCard({
             components={declared.quaternion}
             convention={declared.convention}
             digits={digits}
+            edited={editedComponents(store, "declared components", declared.convention, "declared")}
           />
           <div class="rows">
             <ArrayRow
@@ -54,6 +57,7 @@ export function DeclaredCard({
           caption={arrowOf(rules.operator)}
           rows={declared.matrix}
           digits={digits}
+          edited={editedMatrix(store, "declared matrix", rules.operator)}
         />
         <RulesList rules={rules} />
       </div>

@@ -3,7 +3,10 @@ import { type Digits, eulerAxes, sequenceName } from "../address.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, shownArray, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
+import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
+import { NumberField } from "./NumberField.tsx";
+import { numberGroup } from "./number_group.ts";
 
 const frames: Record<EulerFrame, string> = {
   intrinsic: "about the moving axes (intrinsic)",
@@ -30,6 +33,14 @@ export function EulerFact({
 }) {
   const chosen = store.state.value.euler;
   const names = angleNames(euler.sequence);
+  const group = numberGroup(
+    {
+      store,
+      id: "Euler angles",
+      describe: () => ({ kind: "euler-angles", sequence: euler.sequence, unit: "degrees" }),
+    },
+    euler.anglesDeg,
+  );
   return (
     <div class="fact fact-euler">
       <h2>Euler angles</h2>
@@ -63,11 +74,18 @@ export function EulerFact({
       </div>
       <div class="fact-value">
         <dl class="euler-angles">
-          {euler.anglesDeg.map((angle, at) => (
-            <div key={names[at]}>
-              <dt>{names[at]}</dt>
-              <dd>
-                <code>{shownDegrees(angle, digits)}</code>
+          {names.map((name, at) => (
+            <div key={at}>
+              <dt>{name}</dt>
+              <dd class="with-unit">
+                <NumberField
+                  group={group}
+                  at={at}
+                  label={fieldWords.eulerAngle(name, fieldWords.degrees)}
+                  digits={digits}
+                  step={1}
+                />
+                °
               </dd>
             </div>
           ))}

@@ -1,36 +1,63 @@
 // What no convention changes: the turn itself.
+import type { Digits } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
-import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { exact, exactArray, shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
+import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
+import { NumberField } from "./NumberField.tsx";
+import { type NumberGroup, numberGroup } from "./number_group.ts";
+
+/** Stands for the axis where there is no turn, as about every other one. */
+const anyAxis = [0, 0, 1] as const;
 
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
+  const turn = numberGroup(
+    { store, id: "axis and angle", describe: () => ({ kind: "axis-angle", unit: "degrees" }) },
+    [angleDeg, ...(axis ?? anyAxis)],
+  );
+  const rotationVector = numberGroup(
+    { store, id: "rotation vector", describe: () => ({ kind: "rotation-vector" }) },
+    rotationVectorRad,
+  );
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label="The turn, in every convention the same">
       <div class="fact">
         <h2>Axis and angle</h2>
         <p class="fact-value">
-          <code>
-            {axis === undefined ? "no turn, no axis" : shownAxis(axis, digits)}
-            {axis !== undefined && `, ${shownDegrees(angleDeg, digits)}`}
-          </code>
+          <span class="numbers">
+            <span class="with-unit">
+              <NumberField group={turn} at={0} label={fieldWords.angle} digits={digits} step={1} />°
+            </span>
+            <span class="about">{fieldWords.about}</span>
+            <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />
+          </span>
           {axis !== undefined && (
             <Copy of="axis and angle in radians" text={`${exactArray(axis)}, ${exact(angleRad)}`} />
           )}
         </p>
         <p>
-          <code>{shown(angleRad, digits)}</code> rad. Carries the world axes onto the body axes,
-          right-handed.
+          <code>{shown(angleRad, digits)}</code> rad.{" "}
+          {axis === undefined
+            ? fieldWords.everyAxis
+            : "Carries the world axes onto the body axes, right-handed."}
         </p>
       </div>
       <div class="fact">
         <h2>Rotation vector</h2>
         <p class="fact-value">
-          <code>{shownArray(rotationVectorRad, digits)}</code>
+          <span class="numbers">
+            <VectorFields
+              group={rotationVector}
+              first={0}
+              label={fieldWords.rotationVector}
+              digits={digits}
+            />
+          </span>
           <Copy of="rotation vector" text={exactArray(rotationVectorRad)} />
         </p>
         <p>Angle times axis, in radians. No convention changes it.</p>
@@ -47,5 +74,26 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         </p>
       </div>
     </section>
+  );
+}
+
+/** Three coordinates in brackets: those of the group from `first` on. */
+function VectorFields({
+  group,
+  first,
+  label,
+  digits,
+}: {
+  group: NumberGroup;
+  first: number;
+  label: (name: string) => string;
+  digits: Digits;
+}) {
+  return (
+    <span class="vector">
+      {["x", "y", "z"].map((name, at) => (
+        <NumberField key={name} group={group} at={first + at} label={label(name)} digits={digits} />
+      ))}
+    </span>
   );
 }

@@ -130,13 +130,12 @@ function Result({ report, store }: { report: ReadReport; store: Store }) {
   const declared = presetLike(report.quaternion.convention, store.engine);
   return (
     <>
-      {declared === undefined && (
-        <DeclaredCard report={report} engine={store.engine} digits={digits} />
-      )}
+      {declared === undefined && <DeclaredCard report={report} store={store} digits={digits} />}
       <div class="columns">
         {(["hamilton", "jpl"] as const).map((preset) => (
           <ConventionColumn
             key={preset}
+            store={store}
             preset={preset}
             declared={declared}
             column={report[preset]}

@@ -17,6 +17,7 @@ import { Notes } from "./Notes.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { Why } from "./TranslationWhy.tsx";
+import { UndoRedo } from "./UndoRedo.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
 
 export function Translate({ store }: { store: Store }) {
@@ -27,6 +28,7 @@ export function Translate({ store }: { store: Store }) {
       <section class="ask" aria-label={words.input}>
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
+          <UndoRedo store={store} />
           <DigitsSwitch store={store} />
         </div>
         <div class="ends">

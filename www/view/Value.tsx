@@ -1,9 +1,13 @@
 // Numbers on the page: components by name, matrices with brackets, rows.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import { type ComponentName, namesOf } from "../edited_text.ts";
 import type { Components, Convention } from "../engine.ts";
-import { alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
+import { alignedAll, alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
+import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
+import { NumberField } from "./NumberField.tsx";
+import { type Edited, numberGroup } from "./number_group.ts";
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({
@@ -12,23 +16,38 @@ export function ComponentStrip({
   components,
   convention,
   digits,
+  edited,
 }: {
-  /** For the copy button. */
+  /** For the copy button and the fields. */
   name: string;
   symbol: string;
   components: Components;
   convention: Pick<Convention, "order">;
   digits: Digits;
+  /** Where the components can be edited. */
+  edited?: Edited;
 }) {
   const names = namesInOrder(convention);
+  const group = edited && numberGroup(edited, components.array);
   return (
     <div class="strip">
       <var>{symbol}</var>
       <dl>
-        {names.map((name, at) => (
-          <div key={name} class={name === "w" ? "strip-scalar" : undefined}>
-            <dt>{name}</dt>
-            <dd>{shown(components.array[at] ?? 0, digits)}</dd>
+        {names.map((component, at) => (
+          <div key={component} class={component === "w" ? "strip-scalar" : undefined}>
+            <dt>{component}</dt>
+            <dd>
+              {group ? (
+                <NumberField
+                  group={group}
+                  at={at}
+                  label={fieldWords.component(name, component)}
+                  digits={digits}
+                />
+              ) : (
+                shown(components.array[at] ?? 0, digits)
+              )}
+            </dd>
           </div>
         ))}
       </dl>
@@ -37,8 +56,8 @@ export function ComponentStrip({
   );
 }
 
-export function namesInOrder(convention: Pick<Convention, "order">): ("w" | "x" | "y" | "z")[] {
-  return convention.order === "scalar-first" ? ["w", "x", "y", "z"] : ["x", "y", "z", "w"];
+export function namesInOrder({ order }: Pick<Convention, "order">): readonly ComponentName[] {
+  return namesOf[order];
 }
 
 /** On a phone, and with all digits, a matrix can be wider than its place. */
@@ -51,6 +70,7 @@ export function Matrix({
   caption,
   rows,
   digits,
+  edited,
 }: {
   /** For the copy button and for screen readers. */
   name: string;
@@ -58,7 +78,11 @@ export function Matrix({
   caption?: string;
   rows: readonly (readonly number[])[];
   digits: Digits;
+  /** Where the entries can be edited. */
+  edited?: Edited;
 }) {
+  const group = edited && numberGroup(edited, rows.flat());
+  const cells = group ? alignedAll(rows, digits) : alignedRows(rows, digits);
   return (
     <figure class="matrix">
       <figcaption>
@@ -66,18 +90,30 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
         <Copy of={name} text={exactRows(rows)} />
       </figcaption>
-      {/* Where it is wider than its place, the arrow keys reach all of it. */}
+      {/* Where it is wider than its place, the arrow keys or the fields reach all of it. */}
       <section
         class={`matrix-scroll digits-${digits}`}
         aria-label={`${name}, row by row`}
-        {...(mayScroll(digits) ? { tabIndex: 0 } : {})}
+        {...(mayScroll(digits) && !group ? { tabIndex: 0 } : {})}
       >
         <table aria-label={name}>
           <tbody>
-            {alignedRows(rows, digits).map((row, at) => (
+            {cells.map((row, at) => (
               <tr key={at}>
                 {row.map((cell, column) => (
-                  <td key={column}>{cell}</td>
+                  <td key={column}>
+                    {group ? (
+                      <NumberField
+                        group={group}
+                        at={at * row.length + column}
+                        label={fieldWords.entry(name, at + 1, column + 1)}
+                        digits={digits}
+                        text={cell}
+                      />
+                    ) : (
+                      cell
+                    )}
+                  </td>
                 ))}
               </tr>
             ))}

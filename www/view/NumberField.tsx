@@ -1,0 +1,123 @@
+// A number of the result that can be edited in its place.
+import { useRef, useState } from "preact/hooks";
+import type { Digits } from "../address.ts";
+import { shown } from "../format.ts";
+import type { Content } from "../history.ts";
+import { type Stride, stepped } from "../stepping.ts";
+import { leave, type NumberGroup, numberOf, partOf, write } from "./number_group.ts";
+
+/** The characters that have a place, so that nothing moves when a number changes; as in edit.css. */
+const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
+
+export function NumberField({
+  group,
+  at,
+  label,
+  digits,
+  text,
+  step = 0.01,
+}: {
+  group: NumberGroup;
+  /** The place in the group. */
+  at: number;
+  label: string;
+  digits: Digits;
+  /** The number for reading, where it is aligned with others. */
+  text?: string | undefined;
+  /** What the arrow keys add. */
+  step?: number;
+}) {
+  const { store } = group;
+  const [isEdited, setEdited] = useState(false);
+  /** The state before the edit, for Escape. */
+  const before = useRef<Pick<Content, "quaternion" | "matrix">>(undefined);
+  const typed = group.typed?.[at];
+  const reading =
+    typed === undefined ? (text ?? shown(group.numbers[at] ?? 0, digits)) : readable(typed, digits);
+  const isWrong = group.isWrong(at);
+  const isLong = reading.length > places[digits];
+
+  const begin = (field: HTMLInputElement) => {
+    const { quaternion, matrix } = store.state.peek();
+    before.current = { quaternion, matrix };
+    setEdited(true);
+    select(field, partOf(group, at));
+  };
+
+  const onKeyDown = (event: KeyboardEvent & { currentTarget: HTMLInputElement }) => {
+    const field = event.currentTarget;
+    const direction = directionOf(event.key);
+    if (direction !== undefined && !event.ctrlKey && !event.metaKey) {
+      event.preventDefault();
+      const number = numberOf(store, field.value);
+      if (number === undefined) return;
+      const next = stepped(number, step, strideOf(event), direction);
+      write(group, at, next);
+      select(field, next);
+    } else if (event.key === "Enter" && !event.isComposing) {
+      event.preventDefault();
+      leave(group);
+      begin(field);
+    } else if (event.key === "Escape" && before.current !== undefined) {
+      if (store.state.peek().quaternion === before.current.quaternion) return;
+      event.preventDefault();
+      store.set(before.current, { as: `editing ${group.id} ${at}` });
+      store.step();
+      field.select();
+    }
+  };
+
+  return (
+    <input
+      type="text"
+      class={`number digits-${digits} ${isLong ? "long" : ""}`}
+      aria-label={label}
+      size={isLong ? reading.length : undefined}
+      value={isEdited ? partOf(group, at) : reading}
+      spellcheck={false}
+      autocomplete="off"
+      autocapitalize="off"
+      aria-invalid={isWrong}
+      aria-describedby={isWrong ? "problem-quaternion" : undefined}
+      // The press that brings the focus leaves the whole number selected.
+      onMouseDown={(event) => {
+        if (event.button !== 0 || event.currentTarget === document.activeElement) return;
+        event.preventDefault();
+        event.currentTarget.focus();
+      }}
+      onFocus={(event) => begin(event.currentTarget)}
+      onInput={(event) => write(group, at, event.currentTarget.value)}
+      onKeyDown={onKeyDown}
+      onBlur={(event) => {
+        // The window lost the focus, and the field keeps it within the window.
+        if (event.currentTarget === document.activeElement) return;
+        setEdited(false);
+        store.step();
+        const next = event.relatedTarget;
+        if (!(next instanceof HTMLInputElement && next.dataset["group"] === group.id)) leave(group);
+      }}
+      data-group={group.id}
+    />
+  );
+}
+
+/** What was typed, rounded where it is a number. */
+function readable(typed: string, digits: Digits): string {
+  const number = Number(typed);
+  return typed.trim() !== "" && Number.isFinite(number) ? shown(number, digits) : typed;
+}
+
+function select(field: HTMLInputElement, text: string) {
+  field.value = text;
+  field.select();
+}
+
+function directionOf(key: string): 1 | -1 | undefined {
+  if (key === "ArrowUp") return 1;
+  return key === "ArrowDown" ? -1 : undefined;
+}
+
+function strideOf({ shiftKey, altKey }: KeyboardEvent): Stride {
+  if (shiftKey) return "long";
+  return altKey ? "short" : "usual";
+}

@@ -1,5 +1,6 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
 import type { Digits, Preset } from "../address.ts";
+import { columnValues } from "../copy/values.ts";
 import type { Column } from "../engine.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 import { wordsOf } from "./words.ts";
@@ -17,6 +18,7 @@ export function ConventionColumn({
   digits: Digits;
 }) {
   const words = wordsOf[preset];
+  const values = columnValues(column);
   const matrix = (
     <>
       <var>{words.matrix}</var>(<var>q</var>)
@@ -38,6 +40,7 @@ export function ConventionColumn({
         name={`${words.name} q`}
         components={column.quaternion}
         convention={column.convention}
+        value={values.quaternion}
         digits={digits}
       />
       <div class="matrices">
@@ -46,6 +49,7 @@ export function ConventionColumn({
           symbol={matrix}
           caption={words.direction}
           rows={column.matrix}
+          value={values.matrix}
           digits={digits}
         />
         <Matrix
@@ -59,6 +63,7 @@ export function ConventionColumn({
           }
           caption={words.reversed}
           rows={column.inverseMatrix}
+          value={values.inverseMatrix}
           digits={digits}
         />
       </div>
@@ -71,6 +76,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.image}
+          value={values.image}
           digits={digits}
           note={words.vector}
         />
@@ -82,6 +88,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.conjugate.array}
+          value={values.conjugate}
           digits={digits}
           note="the conjugate"
         />
@@ -94,6 +101,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.inverse?.array}
+          value={values.inverse}
           digits={digits}
           note={isUnit ? "the inverse: the conjugate" : "the inverse: conjugate / norm²"}
         />
@@ -105,6 +113,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.unit.array}
+          value={values.unit}
           digits={digits}
           note={isUnit ? "norm 1: q itself" : "the same rotation with norm 1"}
         />
@@ -121,6 +130,7 @@ export function ConventionColumn({
             }
             caption={`on ${words.order}`}
             rows={column.leftProductMatrix}
+            value={values.left}
             digits={digits}
           />
           <Matrix
@@ -132,6 +142,7 @@ export function ConventionColumn({
             }
             caption={`on ${words.order}`}
             rows={column.rightProductMatrix}
+            value={values.right}
             digits={digits}
           />
         </div>

@@ -1,5 +1,6 @@
 // The Compose view: two quaternions, both products, both orders.
 import type { Digits } from "../address.ts";
+import { productValues } from "../copy/values.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -131,6 +132,7 @@ function Road({
           name={`${spelled(product)} as declared`}
           components={product.quaternion}
           convention={product.convention}
+          value={productValues(product).quaternion}
           digits={digits}
         />
       )}
@@ -190,6 +192,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
   const words = wordsOf[preset];
   const [start, middle, end] = product.frames.map((frame) => letterOf[frame]);
   const first = product.firstAboutFixedAxes;
+  const values = productValues(product);
   return (
     <section class={`card column ${preset}`} aria-label={`${words.name}: ${spelled(product)}`}>
       <header>
@@ -210,6 +213,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
         name={`${words.name} ${spelled(product)}`}
         components={product.quaternion}
         convention={product.convention}
+        value={values.quaternion}
         digits={digits}
       />
       <div class="matrices">
@@ -223,6 +227,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
           }
           caption={`${start} → ${end}`}
           rows={product.matrix}
+          value={values.matrix}
           digits={digits}
         />
       </div>

@@ -1,6 +1,7 @@
 // The declared convention where it is neither preset: its own numbers, and what it multiplies.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import { declaredValues } from "../copy/values.ts";
 import type { Engine, ReadReport, Rules, Side } from "../engine.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 import { arrowOf, fiveWords, nameOf } from "./words.ts";
@@ -15,6 +16,7 @@ export function DeclaredCard({
   digits: Digits;
 }) {
   const { declared, rules } = report;
+  const values = declaredValues(declared);
   const name = nameOf(declared.convention, engine);
   const act = (
     <>
@@ -36,6 +38,7 @@ export function DeclaredCard({
             name="q as declared"
             components={declared.quaternion}
             convention={declared.convention}
+            value={values.quaternion}
             digits={digits}
           />
           <div class="rows">
@@ -43,6 +46,7 @@ export function DeclaredCard({
               name="x as declared"
               symbol={act}
               numbers={declared.image}
+              value={values.image}
               digits={digits}
               note={`the coordinates of x, ${arrowOf(rules.operator)}`}
             />
@@ -53,6 +57,7 @@ export function DeclaredCard({
           symbol={<>{act} =</>}
           caption={arrowOf(rules.operator)}
           rows={declared.matrix}
+          value={values.matrix}
           digits={digits}
         />
         <RulesList rules={rules} />

@@ -1,4 +1,6 @@
 // What no convention changes: the turn itself.
+
+import { turnValues } from "../copy/values.ts";
 import type { ReadReport } from "../engine.ts";
 import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -8,6 +10,7 @@ import { EulerFact } from "./EulerFact.tsx";
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
+  const values = turnValues(report);
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label="The turn, in every convention the same">
@@ -19,7 +22,11 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
             {axis !== undefined && `, ${shownDegrees(angleDeg, digits)}`}
           </code>
           {axis !== undefined && (
-            <Copy of="axis and angle in radians" text={`${exactArray(axis)}, ${exact(angleRad)}`} />
+            <Copy
+              of="axis and angle in radians"
+              text={`${exactArray(axis)}, ${exact(angleRad)}`}
+              value={values.axisAngle}
+            />
           )}
         </p>
         <p>
@@ -31,7 +38,11 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <h2>Rotation vector</h2>
         <p class="fact-value">
           <code>{shownArray(rotationVectorRad, digits)}</code>
-          <Copy of="rotation vector" text={exactArray(rotationVectorRad)} />
+          <Copy
+            of="rotation vector"
+            text={exactArray(rotationVectorRad)}
+            value={values.rotationVector}
+          />
         </p>
         <p>Angle times axis, in radians. No convention changes it.</p>
       </div>
@@ -40,7 +51,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <h2>The other sign</h2>
         <p class="fact-value">
           <code>{shownArray(opposite, digits)}</code>
-          <Copy of="minus q" text={exactArray(opposite)} />
+          <Copy of="minus q" text={exactArray(opposite)} value={values.opposite} />
         </p>
         <p>
           −<var>q</var>, as <code>w x y z</code>: the same rotation, not its inverse.

@@ -1,5 +1,7 @@
 // What else a translation changes: the product, the mistakes, the axes.
+
 import { type Digits, toFragment } from "../address.ts";
+import { newAxesValue } from "../copy/values.ts";
 import type {
   AxesReport,
   Direction,
@@ -225,6 +227,7 @@ function Mapped({
         mapped.determinant > 0 ? "+1" : "−1"
       }`}
       rows={mapped.rows}
+      value={newAxesValue(of, mapped.rows, mapped.text)}
       digits={digits}
     />
   );

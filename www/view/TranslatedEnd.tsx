@@ -1,6 +1,7 @@
 // One end of a translation: its numbers, its matrix, its product, its line of code.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import { endValues } from "../copy/values.ts";
 import type { Assumption, Engine, TranslatedEnd } from "../engine.ts";
 import { Copy } from "./Copy.tsx";
 import {
@@ -37,6 +38,7 @@ export function EndColumn({
   digits: Digits;
 }) {
   const library = libraryWith(engine, end.library);
+  const values = endValues(name, end);
   const { assumed, components, constructorOrder, matrix } = end;
   const otherOrder =
     constructorOrder !== undefined && constructorOrder !== end.order ? constructorOrder : undefined;
@@ -77,6 +79,7 @@ export function EndColumn({
             }
             caption={vectorWords[matrix.vectors]}
             rows={matrix.rows}
+            value={values.matrix}
             digits={digits}
           />
         </div>
@@ -95,6 +98,7 @@ export function EndColumn({
             }
             digits={digits}
             note="as its constructor takes them"
+            value={values.reordered}
           />
         )}
         <WordRow symbol={<code>a * b</code>}>

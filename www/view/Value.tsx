@@ -1,6 +1,7 @@
 // Numbers on the page: components by name, matrices with brackets, rows.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import type { Copied } from "../copy/copied.ts";
 import type { Components, Convention } from "../engine.ts";
 import { alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
 import { Copy } from "./Copy.tsx";
@@ -12,6 +13,7 @@ export function ComponentStrip({
   components,
   convention,
   digits,
+  value,
 }: {
   /** For the copy button. */
   name: string;
@@ -19,6 +21,7 @@ export function ComponentStrip({
   components: Components;
   convention: Pick<Convention, "order">;
   digits: Digits;
+  value?: Copied | undefined;
 }) {
   const names = namesInOrder(convention);
   return (
@@ -32,7 +35,7 @@ export function ComponentStrip({
           </div>
         ))}
       </dl>
-      <Copy of={name} text={exactArray(components.array)} />
+      <Copy of={name} text={exactArray(components.array)} value={value} />
     </div>
   );
 }
@@ -51,6 +54,7 @@ export function Matrix({
   caption,
   rows,
   digits,
+  value,
 }: {
   /** For the copy button and for screen readers. */
   name: string;
@@ -58,13 +62,14 @@ export function Matrix({
   caption?: string;
   rows: readonly (readonly number[])[];
   digits: Digits;
+  value?: Copied | undefined;
 }) {
   return (
     <figure class="matrix">
       <figcaption>
         <span class="matrix-symbol">{symbol}</span>
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
-        <Copy of={name} text={exactRows(rows)} />
+        <Copy of={name} text={exactRows(rows)} value={value} />
       </figcaption>
       {/* Where it is wider than its place, the arrow keys reach all of it. */}
       <section
@@ -95,12 +100,14 @@ export function ArrayRow({
   numbers,
   digits,
   note,
+  value,
 }: {
   name: string;
   symbol: ComponentChildren;
   numbers: readonly number[] | undefined;
   digits: Digits;
   note?: ComponentChildren;
+  value?: Copied | undefined;
 }) {
   return (
     <div class="row">
@@ -113,7 +120,7 @@ export function ArrayRow({
         )}
         {note !== undefined && <span class="row-note">{note}</span>}
       </span>
-      {numbers !== undefined && <Copy of={name} text={exactArray(numbers)} />}
+      {numbers !== undefined && <Copy of={name} text={exactArray(numbers)} value={value} />}
     </div>
   );
 }

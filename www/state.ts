@@ -1,6 +1,6 @@
 // The one mutable value of the page, and what follows from it.
 import { computed, signal } from "@preact/signals";
-import { fromFragment, opening, type PageState } from "./address.ts";
+import { fromFragment, isOfNewerVersion, opening, type PageState } from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
@@ -17,6 +17,7 @@ export function createStore(engine: Engine, fragment: string) {
   const known = new Set(engine.libraries.map(({ id }) => id));
   const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
   const state = signal<PageState>(stateOf(fragment));
+  const isLinkNewer = signal(isOfNewerVersion(fragment));
 
   const outcome = computed(() => answer(state.value, engine));
 
@@ -40,6 +41,8 @@ export function createStore(engine: Engine, fragment: string) {
   return {
     state,
     engine,
+    /** Whether the opened link is of a newer quatlas. */
+    isLinkNewer,
     read: lastOf("read"),
     compose: lastOf("compose"),
     translate: lastOf("translate"),
@@ -52,6 +55,7 @@ export function createStore(engine: Engine, fragment: string) {
     },
     open: (fragment: string) => {
       state.value = stateOf(fragment);
+      isLinkNewer.value = isOfNewerVersion(fragment);
     },
   };
 }

@@ -1,6 +1,7 @@
 // Where a copied value comes from: what was typed, and the link to it.
 import { version } from "../../package.json";
 import { fromFragment, type PageState } from "../address.ts";
+import { endToText } from "../address_ends.ts";
 import type { Origin } from "./json.ts";
 
 /** The origin of a value that is shown in a place of the page. */
@@ -12,12 +13,13 @@ export function originOf(place: Element | null): Origin {
 }
 
 function textsOf(state: PageState): Record<string, string> {
+  const { p, q, vector, quaternion, translated, preset: as, axes } = state;
   switch (state.view) {
     case "compose":
-      return { p: state.p, q: state.q, vector: state.vector };
+      return { p, q, vector, as, ...axes };
     case "translate":
-      return { quaternion: state.translated };
+      return { quaternion: translated, from: endToText(state.from), to: endToText(state.to) };
     default:
-      return { quaternion: state.quaternion, vector: state.vector };
+      return { quaternion, vector, as, ...axes };
   }
 }

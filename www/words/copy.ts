@@ -46,7 +46,7 @@ const libraries: Partial<Record<CodeFormat, Library>> = {
   ros: {
     name: "ROS",
     takes: "geometry_msgs/Quaternion has x y z w by name",
-    matrix: "the rotation",
+    matrix: "the rotation matrix",
   },
   nalgebra: {
     name: "nalgebra",
@@ -109,7 +109,8 @@ export function sequenceLetters({ sequence: { axes, frame } }: CopiedEuler): str
   return frame === "intrinsic" ? axes.toUpperCase() : axes;
 }
 
-const carries = "carries the world axes onto the body axes, matrix R(q), body to world";
+const carries =
+  "the turn carries the world axes onto the body axes; its matrix is R(q), body to world";
 
 /** What a value is, one sentence a line. */
 export function says(value: Copied, format: CodeFormat): string[] {
@@ -121,7 +122,7 @@ export function says(value: Copied, format: CodeFormat): string[] {
     case "vector":
       return [`${value.symbol}: ${value.on}`];
     case "axis-angle":
-      return [`axis, and angle in radians: ${carries}`];
+      return [`axis and angle in radians: ${carries}`];
     case "rotation-vector":
       return [`rotation vector (angle times axis) in radians: ${carries}`];
     case "euler":

@@ -93,11 +93,10 @@ function current<Report>(
   return shown?.freshness === "current" ? cite(shown.report) : "";
 }
 
-/** A library with the version that its record is of, or the name of a convention. */
+/** The name of a library or of a convention. */
 function endNameOf(end: Endpoint, { engine }: Store): string {
   if (end.kind === "convention") {
     return nameOf(end.convention, engine) ?? citeWords.convention(end.convention);
   }
-  const library = engine.libraries.find(({ id }) => id === end.id);
-  return library ? citeWords.library(library.name, library.version) : end.id;
+  return engine.libraries.find(({ id }) => id === end.id)?.name ?? end.id;
 }

@@ -27,7 +27,6 @@ export const citeWords = {
     norm === undefined ? `Unit quaternion ${numbers}` : `Quaternion ${numbers} of norm ${norm}`,
   turn: (angle: string, axis: string) => `${angle} about ${axis}`,
   noTurn: "no turn",
-  library: (name: string, version: string) => `${name} ${version}`.trim(),
   read: (quaternion: string, convention: string, turn: string) =>
     `${quaternion}, ${convention}: ${turn}.`,
   compose: (p: string, sign: string, q: string, product: string, convention: string) =>

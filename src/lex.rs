@@ -276,7 +276,8 @@ fn reference<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
 
 fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
     alt((
-        (alt(("//", "#")), take_till(0.., '\n')).take(),
+        // With a space: `5%` is no comment but something that is not known here.
+        (alt(("//", "#", "% ")), take_till(0.., '\n')).take(),
         ("/*", take_until(0.., "*/"), "*/").take(),
     ))
     .parse_next(input)

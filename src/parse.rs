@@ -73,7 +73,7 @@
 //! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
 //!   the grammar, which then reads the pieces between them.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.
-//! - Comments (`#`, `//`, `/* */`), declarations (`const Eigen::Quaterniond q(…);`), float suffixes (`0.5f`)
+//! - Comments (`#`, `//`, `/* */`, and `%` with a space), declarations (`const Eigen::Quaterniond q(…);`), float suffixes (`0.5f`)
 //!   and casts (`np.float64(0.5)`) are read past.
 //!
 //! # Which number is the scalar

@@ -130,6 +130,22 @@ const languages: Language[] = [
   ...(["java", "csharp", "swift", "matlab", "message"] as const),
 ];
 
+/**
+ * What the parameters mean, as `v` in front of them; without it 1. A new parameter, or a new value of
+ * one, leaves it as it is. A change of what an old link would mean (a default, the opening example,
+ * the name or sense of a value) counts it up, and `fromFragment` then first rewrites the parameters of
+ * each older version into those of the next, so that the old link still opens the same page.
+ */
+const addressVersion = 1;
+const versionParameter = "v";
+
+/** Whether a link was written by a later version, so that it may say what is not known here. */
+export function isOfNewerVersion(fragment: string): boolean {
+  const [, query = ""] = splitOnce(fragment, "?");
+  const version = new URLSearchParams(query).get(versionParameter) ?? "";
+  return /^\d+$/.test(version) && Number(version) > addressVersion;
+}
+
 /** Marks that an address may hold as they are. */
 const plainMarks = /%(?:3A|3B|2C|7E)/g;
 
@@ -160,7 +176,7 @@ export function toFragment(state: PageState): string {
   if (state.language !== opening.language) parameters.set("language", state.language);
   if (state.unavailable.length > 0) parameters.set("unavailable", state.unavailable.join(","));
   const query = parameters.toString().replace(plainMarks, decodeURIComponent);
-  return query === "" ? state.view : `${state.view}?${query}`;
+  return query === "" ? state.view : `${state.view}?${versionParameter}=${addressVersion}&${query}`;
 }
 
 /** The observations as parameters; none where they are those of the opening, an empty one for none. */

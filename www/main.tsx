@@ -41,8 +41,11 @@ const addressDelayMs = 300;
 
 function keepAddress(store: Store) {
   let pending: ReturnType<typeof setTimeout> | undefined;
+  let opened = store.state.peek();
   const write = () => {
     clearTimeout(pending);
+    // What a newer quatlas wrote stays whole until something is changed.
+    if (store.isLinkNewer.peek() && store.state.peek() === opened) return;
     history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
   };
   store.state.subscribe(() => {
@@ -55,5 +58,6 @@ function keepAddress(store: Store) {
   addEventListener("hashchange", () => {
     clearTimeout(pending);
     store.open(location.hash);
+    opened = store.state.peek();
   });
 }

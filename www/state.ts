@@ -1,6 +1,6 @@
 // The one mutable value of the page, and what follows from it.
 import { batch, computed, signal } from "@preact/signals";
-import { fromFragment, opening, type PageState } from "./address.ts";
+import { fromFragment, isOfNewerVersion, opening, type PageState } from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
 import {
   type Content,
@@ -43,6 +43,7 @@ export function createStore(engine: Engine, fragment: string) {
   const known = new Set(engine.libraries.map(({ id }) => id));
   const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
   const state = signal<PageState>(stateOf(fragment));
+  const isLinkNewer = signal(isOfNewerVersion(fragment));
 
   const history = signal(noHistory);
   const lastUndone = signal<Undone | undefined>(undefined);
@@ -95,6 +96,8 @@ export function createStore(engine: Engine, fragment: string) {
   return {
     state,
     engine,
+    /** Whether the opened link is of a newer quatlas. */
+    isLinkNewer,
     read: lastOf("read"),
     compose: lastOf("compose"),
     translate: lastOf("translate"),
@@ -107,7 +110,10 @@ export function createStore(engine: Engine, fragment: string) {
     /** Changes the state; what is done as the same follows as one step of the history. */
     set: (parts: Partial<PageState>, doing: Doing = {}) =>
       change({ ...state.peek(), ...parts }, doing),
-    open: (fragment: string) => change(stateOf(fragment), {}),
+    open: (fragment: string) => {
+      change(stateOf(fragment), {});
+      isLinkNewer.value = isOfNewerVersion(fragment);
+    },
     /** Ends a step: what follows is undone by itself. */
     step: () => {
       history.value = closed(history.peek());

@@ -40,7 +40,7 @@ test("is searched by typing, and said", async ({ page }) => {
     "cgmath",
     "quaternion (Piston)",
   ]);
-  await expect(page).toHaveURL(/libraries\?find=rust\+graphics/);
+  await expect(page).toHaveURL(/libraries\?v=1&find=rust\+graphics/);
   await expect(page.getByRole("status")).toHaveText(/^3 of \d+ libraries\.$/);
   await typeOver(page, "nothing at all");
   await page.getByRole("button", { name: /^show all/ }).click();

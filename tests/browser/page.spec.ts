@@ -162,7 +162,7 @@ test("a copy has every digit, whatever is shown", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("/#read?digits=4");
   await page.getByRole("button", { name: "Copy C(q) x" }).click();
-  await expect(page.getByRole("button", { name: "C(q) x copied" })).toBeVisible();
+  await expect(page.getByText("C(q) x copied", { exact: true })).toBeVisible();
   await page.getByRole("button", { name: "Copy rotation vector" }).click();
   await expect
     .poll(() => page.evaluate(() => navigator.clipboard.readText()))

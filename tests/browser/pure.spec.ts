@@ -1,6 +1,12 @@
 // The pure functions of the page: the address and the number formats.
 import { expect, test } from "@playwright/test";
-import { fromFragment, opening, type PageState, toFragment } from "../../www/address.ts";
+import {
+  fromFragment,
+  isOfNewerVersion,
+  opening,
+  type PageState,
+  toFragment,
+} from "../../www/address.ts";
 import { axisPresets, inverseAxes } from "../../www/axis_texts.ts";
 import type { AxisMapping } from "../../www/engine.ts";
 import { alignedRows, exactArray, shown, shownArray, shownAxis } from "../../www/format.ts";
@@ -66,9 +72,23 @@ test("a fragment of the new views can be read by people", () => {
     to: { kind: "convention", convention: { ...jpl, function: "active" } },
   };
   expect(toFragment(translation)).toBe(
-    "translate?from=eigen~scalar-first&to=:scalar-last,left,active,world-to-body,local",
+    "translate?v=1&from=eigen~scalar-first&to=:scalar-last,left,active,world-to-body,local",
   );
-  expect(toFragment({ ...opening, view: "identify", observations: [] })).toBe("identify?probe=");
+  expect(toFragment({ ...opening, view: "identify", observations: [] })).toBe(
+    "identify?v=1&probe=",
+  );
+});
+
+test("an address says first which version of its meaning it is of", () => {
+  expect(toFragment({ ...opening, digits: "4", p: "1" })).toBe("read?v=1&p=1&digits=4");
+  expect(toFragment({ ...opening, view: "compose" })).toBe("compose");
+  for (const fragment of ["#read?v=1&q=1", "#read?q=1", "#read", "", "#read?v=", "#read?v=-2"]) {
+    expect(isOfNewerVersion(fragment), fragment).toBe(false);
+  }
+  for (const fragment of ["#read?v=2&q=1", "#read?q=1&v=12"]) {
+    expect(isOfNewerVersion(fragment), fragment).toBe(true);
+    expect(fromFragment(fragment)).toEqual({ ...opening, q: "1" });
+  }
 });
 
 test("an address with ten thousand observations is cut, and a library that is none is not opened", () => {

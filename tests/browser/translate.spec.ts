@@ -59,7 +59,7 @@ test("libraries are found by typing, and chosen by keyboard", async ({ page }) =
   await page.keyboard.press("Enter");
   await expect(to).toHaveValue("SciPy Rotation");
   await expect(headline(page)).toHaveText("Neither reordered nor conjugated");
-  await expect(page).toHaveURL(/translate\?to=scipy$/);
+  await expect(page).toHaveURL(/translate\?v=1&to=scipy$/);
 
   // Without typing the list stands at what is chosen.
   await page.keyboard.press("ArrowDown");
@@ -161,7 +161,7 @@ test("swapping without new axes is exact, and twice is nothing", async ({ page }
   await expect(quaternionField(page)).toHaveValue("0.888819441731559 0.1 -0.2 0.4");
   await swap.click();
   await expect(page.locator(".translation-numbers")).toHaveText(before ?? "");
-  await expect(page).toHaveURL(/#translate\?digits=all$/);
+  await expect(page).toHaveURL(/#translate\?v=1&digits=all$/);
 });
 
 test("a pasted call proposes its library", async ({ page }) => {

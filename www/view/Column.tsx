@@ -1,5 +1,6 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
 import type { Digits, Preset } from "../address.ts";
+import { columnValues } from "../copy/values.ts";
 import type { Column, Direction } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { editedComponents, editedMatrix } from "./number_group.ts";
@@ -22,6 +23,7 @@ export function ConventionColumn({
 }) {
   const words = wordsOf[preset];
   const { direction } = column.convention;
+  const values = columnValues(column);
   const matrix = (
     <>
       <var>{words.matrix}</var>(<var>q</var>)
@@ -43,6 +45,7 @@ export function ConventionColumn({
         name={`${words.name} q`}
         components={column.quaternion}
         convention={column.convention}
+        value={values.quaternion}
         digits={digits}
         edited={editedComponents(store, `${preset} components`, column.convention, "preset")}
       />
@@ -52,6 +55,7 @@ export function ConventionColumn({
           symbol={matrix}
           caption={words.direction}
           rows={column.matrix}
+          value={values.matrix}
           digits={digits}
           edited={editedMatrix(store, `${preset} matrix`, direction)}
         />
@@ -66,6 +70,7 @@ export function ConventionColumn({
           }
           caption={words.reversed}
           rows={column.inverseMatrix}
+          value={values.inverseMatrix}
           digits={digits}
           edited={editedMatrix(store, `${preset} inverse matrix`, reversed(direction))}
         />
@@ -79,6 +84,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.image}
+          value={values.image}
           digits={digits}
           note={words.vector}
         />
@@ -90,6 +96,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.conjugate.array}
+          value={values.conjugate}
           digits={digits}
           note="the conjugate"
         />
@@ -102,6 +109,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.inverse?.array}
+          value={values.inverse}
           digits={digits}
           note={isUnit ? "the inverse: the conjugate" : "the inverse: conjugate / norm²"}
         />
@@ -113,6 +121,7 @@ export function ConventionColumn({
             </>
           }
           numbers={column.unit.array}
+          value={values.unit}
           digits={digits}
           note={isUnit ? "norm 1: q itself" : "the same rotation with norm 1"}
         />
@@ -129,6 +138,7 @@ export function ConventionColumn({
             }
             caption={`on ${words.order}`}
             rows={column.leftProductMatrix}
+            value={values.left}
             digits={digits}
           />
           <Matrix
@@ -140,6 +150,7 @@ export function ConventionColumn({
             }
             caption={`on ${words.order}`}
             rows={column.rightProductMatrix}
+            value={values.right}
             digits={digits}
           />
         </div>

@@ -1,5 +1,6 @@
 // The Compose view: two quaternions, both products, both orders.
 import type { Digits } from "../address.ts";
+import { productValues } from "../copy/values.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -141,6 +142,7 @@ function Road({
           name={words.declared(spelled(product))}
           components={product.quaternion}
           convention={product.convention}
+          value={productValues(product).quaternion}
           digits={digits}
         />
       )}
@@ -187,6 +189,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
   const own = wordsOf[preset];
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
+  const values = productValues(product);
   return (
     <section class={`card column ${preset}`} aria-label={`${own.name}: ${spelled(product)}`}>
       <header>
@@ -205,6 +208,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
         name={`${own.name} ${spelled(product)}`}
         components={product.quaternion}
         convention={product.convention}
+        value={values.quaternion}
         digits={digits}
       />
       <div class="matrices">
@@ -218,6 +222,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
           }
           caption={`${start} → ${end}`}
           rows={product.matrix}
+          value={values.matrix}
           digits={digits}
         />
       </div>

@@ -1,6 +1,7 @@
 // The declared convention where it is neither preset: its own numbers, and what it multiplies.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import { declaredValues } from "../copy/values.ts";
 import type { ReadReport, Rules, Side } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { editedComponents, editedMatrix } from "./number_group.ts";
@@ -18,6 +19,7 @@ export function DeclaredCard({
 }) {
   const { declared, rules } = report;
   const name = nameOf(declared.convention, store.engine);
+  const values = declaredValues(declared);
   const act = (
     <>
       <var>q</var>∘<var>x</var>∘<var>q</var>
@@ -38,6 +40,7 @@ export function DeclaredCard({
             name="q as declared"
             components={declared.quaternion}
             convention={declared.convention}
+            value={values.quaternion}
             digits={digits}
             edited={editedComponents(store, "declared components", declared.convention, "declared")}
           />
@@ -46,6 +49,7 @@ export function DeclaredCard({
               name="x as declared"
               symbol={act}
               numbers={declared.image}
+              value={values.image}
               digits={digits}
               note={`the coordinates of x, ${arrowOf(rules.operator)}`}
             />
@@ -56,6 +60,7 @@ export function DeclaredCard({
           symbol={<>{act} =</>}
           caption={arrowOf(rules.operator)}
           rows={declared.matrix}
+          value={values.matrix}
           digits={digits}
           edited={editedMatrix(store, "declared matrix", rules.operator)}
         />

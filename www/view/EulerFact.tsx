@@ -1,5 +1,6 @@
 // The attitude as Euler angles in a sequence of one's choice.
 import { type Digits, eulerAxes, sequenceName } from "../address.ts";
+import { eulerValue } from "../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, shownArray, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -90,11 +91,19 @@ export function EulerFact({
             </div>
           ))}
         </dl>
-        <Copy of="Euler angles in degrees" text={exactArray(euler.anglesDeg)} />
+        <Copy
+          of="Euler angles in degrees"
+          text={exactArray(euler.anglesDeg)}
+          value={eulerValue(euler)}
+        />
       </div>
       <p>
         <code>{shownArray(euler.anglesRad, digits)}</code> rad
-        <Copy of="Euler angles in radians" text={exactArray(euler.anglesRad)} />
+        <Copy
+          of="Euler angles in radians"
+          text={exactArray(euler.anglesRad)}
+          value={eulerValue(euler)}
+        />
       </p>
       <GimbalLock euler={euler} names={names} digits={digits} />
     </div>

@@ -1,5 +1,7 @@
 // What no convention changes: the turn itself.
 import type { Digits } from "../address.ts";
+
+import { turnValues } from "../copy/values.ts";
 import type { ReadReport } from "../engine.ts";
 import { exact, exactArray, shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -23,6 +25,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
     { store, id: "rotation vector", describe: () => ({ kind: "rotation-vector" }) },
     rotationVectorRad,
   );
+  const values = turnValues(report);
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label="The turn, in every convention the same">
@@ -37,7 +40,11 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
             <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />
           </span>
           {axis !== undefined && (
-            <Copy of="axis and angle in radians" text={`${exactArray(axis)}, ${exact(angleRad)}`} />
+            <Copy
+              of="axis and angle in radians"
+              text={`${exactArray(axis)}, ${exact(angleRad)}`}
+              value={values.axisAngle}
+            />
           )}
         </p>
         <p>
@@ -58,7 +65,11 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
               digits={digits}
             />
           </span>
-          <Copy of="rotation vector" text={exactArray(rotationVectorRad)} />
+          <Copy
+            of="rotation vector"
+            text={exactArray(rotationVectorRad)}
+            value={values.rotationVector}
+          />
         </p>
         <p>Angle times axis, in radians. No convention changes it.</p>
       </div>
@@ -67,7 +78,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <h2>The other sign</h2>
         <p class="fact-value">
           <code>{shownArray(opposite, digits)}</code>
-          <Copy of="minus q" text={exactArray(opposite)} />
+          <Copy of="minus q" text={exactArray(opposite)} value={values.opposite} />
         </p>
         <p>
           −<var>q</var>, as <code>w x y z</code>: the same rotation, not its inverse.

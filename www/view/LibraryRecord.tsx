@@ -1,6 +1,6 @@
 // One record of the table: everything that is known of a library, and how.
 import type { ComponentChildren } from "preact";
-import { type PageState, toFragment } from "../address.ts";
+import { opening, type PageState, toFragment } from "../address.ts";
 import type { Code, Endpoint, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
 import {
@@ -103,7 +103,8 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
 }
 
 function permalink(id: string): string {
-  return `${location.href.split("#")[0]}#libraries?library=${id}`;
+  const fragment = toFragment({ ...opening, view: "libraries", library: id });
+  return `${location.href.split("#")[0]}#${fragment}`;
 }
 
 function hostOf(url: string): string {

@@ -7,6 +7,7 @@ import { Compose } from "./Compose.tsx";
 import { Identify, spokenIdentity } from "./Identify.tsx";
 import { Libraries, spokenLibraries } from "./Libraries.tsx";
 import { Read } from "./Read.tsx";
+import { NewerLink, Share, Version } from "./Share.tsx";
 import { spokenTranslation, Translate } from "./Translate.tsx";
 import { namesInOrder } from "./Value.tsx";
 import { nameOf, symbolOf } from "./words.ts";
@@ -38,8 +39,10 @@ export function Page({ store }: { store: Store }) {
             </a>
           ))}
         </nav>
+        <Share store={store} />
       </header>
       <main>
+        <NewerLink store={store} />
         {failure !== undefined && (
           <p class="failure" role="alert">
             The core stopped on this input, which is a mistake in quatlas, not in your text:{" "}
@@ -52,7 +55,7 @@ export function Page({ store }: { store: Store }) {
       <footer class="colophon">
         <p>
           Computed in your browser; nothing you type is sent anywhere. The address of the page holds
-          what you typed: share it as a link.
+          what you typed: share it as a link. <Version />
         </p>
       </footer>
       <p class="visually-hidden" role="status" aria-live="polite">

@@ -1,5 +1,7 @@
 // What else a translation changes: the product, the mistakes, the axes.
+
 import { type Digits, toFragment } from "../address.ts";
+import { newAxesValue } from "../copy/values.ts";
 import type { AxesReport, Engine, MappedAxes, TranslatedEnd, TranslateReport } from "../engine.ts";
 import { shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -128,6 +130,7 @@ function Mapped({
       }
       caption={axesWords.caption(mapped)}
       rows={mapped.rows}
+      value={newAxesValue(of, mapped.rows, mapped.text)}
       digits={digits}
     />
   );

@@ -1,6 +1,7 @@
 // One end of a translation: its numbers, its matrix, its product, its line of code.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import { endValues } from "../copy/values.ts";
 import type { Engine, TranslatedEnd } from "../engine.ts";
 import { arrowOf, lettersOf } from "../words/conventions.ts";
 import {
@@ -35,6 +36,7 @@ export function EndColumn({
   digits: Digits;
 }) {
   const library = libraryWith(engine, end.library);
+  const values = endValues(name, end);
   const { assumed, components, constructorOrder, matrix } = end;
   const otherOrder =
     constructorOrder !== undefined && constructorOrder !== end.order ? constructorOrder : undefined;
@@ -73,6 +75,7 @@ export function EndColumn({
             }
             caption={vectorWords[matrix.vectors]}
             rows={matrix.rows}
+            value={values.matrix}
             digits={digits}
           />
         </div>
@@ -91,6 +94,7 @@ export function EndColumn({
             }
             digits={digits}
             note={words.constructedNote}
+            value={values.reordered}
           />
         )}
         <WordRow symbol={<code>a * b</code>}>

@@ -1,6 +1,7 @@
 // Numbers on the page: components by name, matrices with brackets, rows.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
+import type { Copied } from "../copy/copied.ts";
 import { type ComponentName, namesOf } from "../edited_text.ts";
 import type { Components, Convention } from "../engine.ts";
 import { alignedAll, alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
@@ -17,6 +18,7 @@ export function ComponentStrip({
   convention,
   digits,
   edited,
+  value,
 }: {
   /** For the copy button and the fields. */
   name: string;
@@ -26,6 +28,7 @@ export function ComponentStrip({
   digits: Digits;
   /** Where the components can be edited. */
   edited?: Edited;
+  value?: Copied | undefined;
 }) {
   const names = namesInOrder(convention);
   const group = edited && numberGroup(edited, components.array);
@@ -51,7 +54,7 @@ export function ComponentStrip({
           </div>
         ))}
       </dl>
-      <Copy of={name} text={exactArray(components.array)} />
+      <Copy of={name} text={exactArray(components.array)} value={value} />
     </div>
   );
 }
@@ -71,6 +74,7 @@ export function Matrix({
   rows,
   digits,
   edited,
+  value,
 }: {
   /** For the copy button and for screen readers. */
   name: string;
@@ -80,6 +84,7 @@ export function Matrix({
   digits: Digits;
   /** Where the entries can be edited. */
   edited?: Edited;
+  value?: Copied | undefined;
 }) {
   const group = edited && numberGroup(edited, rows.flat());
   const cells = group ? alignedAll(rows, digits) : alignedRows(rows, digits);
@@ -88,7 +93,7 @@ export function Matrix({
       <figcaption>
         <span class="matrix-symbol">{symbol}</span>
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
-        <Copy of={name} text={exactRows(rows)} />
+        <Copy of={name} text={exactRows(rows)} value={value} />
       </figcaption>
       {/* Where it is wider than its place, the arrow keys or the fields reach all of it. */}
       <section
@@ -131,12 +136,14 @@ export function ArrayRow({
   numbers,
   digits,
   note,
+  value,
 }: {
   name: string;
   symbol: ComponentChildren;
   numbers: readonly number[] | undefined;
   digits: Digits;
   note?: ComponentChildren;
+  value?: Copied | undefined;
 }) {
   return (
     <div class="row">
@@ -149,7 +156,7 @@ export function ArrayRow({
         )}
         {note !== undefined && <span class="row-note">{note}</span>}
       </span>
-      {numbers !== undefined && <Copy of={name} text={exactArray(numbers)} />}
+      {numbers !== undefined && <Copy of={name} text={exactArray(numbers)} value={value} />}
     </div>
   );
 }

@@ -1,0 +1,23 @@
+//! The Rust that the page copies, compiled and run: nalgebra makes the rotation of the page of it.
+
+mod common;
+
+use common::{assert_close, wasm_bindgen_test};
+use quatlas::nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
+
+#[wasm_bindgen_test(unsupported = test)]
+#[allow(
+    clippy::approx_constant,
+    clippy::let_and_return,
+    clippy::unreadable_literal,
+    clippy::excessive_precision,
+    reason = "the texts are as people copy them"
+)]
+fn nalgebra_makes_the_rotation_of_the_page() {
+    // Written by tests/browser/copied_texts.spec.ts, which compares it with what is copied.
+    let copied: [(&str, Matrix3<f64>, [[f64; 3]; 3]); 17] =
+        include!("vectors/copied_nalgebra.rs");
+    for (value, matrix, rows) in copied {
+        assert_close(value, matrix.transpose().as_slice(), rows.as_flattened(), 1e-15);
+    }
+}

@@ -1,0 +1,69 @@
+// One short sentence that names a case: its convention, its numbers rounded, the version and the link.
+import type { ComposeReport, Convention, ReadReport, TranslateReport, Turn } from "../engine.ts";
+import { citeWords as words } from "../words/share.ts";
+
+/** Enough to recognise the case; the link holds every digit. */
+const significantDigits = 5;
+const roundingNoise = 1e-14;
+
+function cited(number: number): string {
+  const size = Math.abs(number) < roundingNoise ? 0 : number;
+  return String(Number(size.toPrecision(significantDigits)));
+}
+
+const tuple = (numbers: readonly number[]) => `(${numbers.map(cited).join(", ")})`;
+
+function quaternion(numbers: readonly number[]): string {
+  const norm = Math.hypot(...numbers);
+  const isUnit = Math.abs(norm - 1) < roundingNoise;
+  return words.quaternion(tuple(numbers), isUnit ? undefined : cited(norm));
+}
+
+function turnOf({ axis, angleDeg }: Turn): string {
+  if (axis === undefined) return words.noTurn;
+  const along = axis.findIndex((number) => Math.abs(number) === 1);
+  const name = along < 0 ? tuple(axis) : `${(axis[along] ?? 0) < 0 ? "-" : ""}${"xyz"[along]}`;
+  return words.turn(`${cited(angleDeg)}°`, name);
+}
+
+export function citeRead({ declared, turn }: ReadReport): string {
+  const { quaternion: q, convention } = declared;
+  return words.read(quaternion(q.array), words.convention(convention), turnOf(turn));
+}
+
+const signs: Record<Convention["handedness"], string> = { right: "⊙", left: "⊗" };
+
+export function citeCompose({ declared, p, q }: ComposeReport): string {
+  const { convention } = declared;
+  return words.compose(
+    tuple(p.components.array),
+    signs[convention.handedness],
+    tuple(q.components.array),
+    tuple(declared.quaternion.array),
+    words.convention(convention),
+  );
+}
+
+export function citeTranslation({ from, to, turn }: TranslateReport, names: Ends): string {
+  return words.translate(
+    quaternion(from.array),
+    names.from,
+    names.to,
+    tuple(to.array),
+    turnOf(turn),
+  );
+}
+
+/** What the ends of a translation are called. */
+export interface Ends {
+  from: string;
+  to: string;
+}
+
+/** A link in Markdown; brackets of the title would end it. */
+export function markdownLink(title: string, link: string): string {
+  const escaped = title.replace(/\s+/g, " ").replace(/[\\[\]]/g, "\\$&");
+  // A parenthesis would end the address.
+  const address = link.replaceAll("(", "%28").replaceAll(")", "%29");
+  return `[${escaped}](${address})`;
+}

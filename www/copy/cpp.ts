@@ -1,0 +1,36 @@
+// C++ with Eigen.
+import { factors, float, listed, scalarFirst } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+const vector = (numbers: readonly number[]) => `Eigen::Vector3d(${listed(numbers, float)})`;
+
+export const eigen: Writer = {
+  comment: "//",
+  lines: {
+    quaternion: ({ components }) => [
+      `Eigen::Quaterniond q(${listed(scalarFirst(components), float)});`,
+    ],
+    matrix: ({ rows }) => {
+      const [first = "", ...rest] = rows.map((row) => listed(row, float));
+      return [
+        `Eigen::Matrix${rows.length}d M;`,
+        `M << ${[first, ...rest.map((row) => `     ${row}`)].join(",\n")};`,
+      ];
+    },
+    vector: ({ numbers }) => [`Eigen::Vector3d v(${listed(numbers, float)});`],
+    "axis-angle": ({ axis, angleRad }) => [
+      `Eigen::AngleAxisd r(${float(angleRad)}, ${vector(axis)});`,
+    ],
+    "rotation-vector": ({ vectorRad }) => [
+      `Eigen::Vector3d v(${listed(vectorRad, float)});`,
+      "Eigen::AngleAxisd r(v.norm(), v.normalized());",
+    ],
+    euler: ({ sequence: { axes, frame }, anglesRad }) => [
+      `Eigen::Quaterniond q = ${factors(axes, frame, anglesRad)
+        .map(({ axis, angle }) => `Eigen::AngleAxisd(${float(angle)}, ${unitCall(axis)})`)
+        .join(" * ")};`,
+    ],
+  },
+};
+
+const unitCall = (axis: string) => `Eigen::Vector3d::Unit${axis.toUpperCase()}()`;

@@ -1,0 +1,47 @@
+// The formats of a copy, and which kinds of values each can say; the writers are loaded when needed.
+import type { Copied, Kind } from "./copied.ts";
+
+const rotations: Kind[] = ["quaternion", "matrix", "axis-angle", "rotation-vector", "euler"];
+const all: Kind[] = [...rotations, "vector"];
+
+/** Product matrices have four rows, and new axes may be a reflection; neither is a rotation. */
+function isRotation(value: Copied): boolean {
+  if (value.kind !== "matrix") return true;
+  const [[a = 0, b = 0, c = 0] = [], [d = 0, e = 0, f = 0] = [], [g = 0, h = 0, i = 0] = []] =
+    value.rows;
+  return (
+    value.rows.length === 3 && a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g) > 0
+  );
+}
+
+/** In the order of the menu. */
+export const formats = [
+  { id: "numbers", kinds: all },
+  { id: "eigen", kinds: all },
+  { id: "scipy", kinds: rotations },
+  { id: "numpy", kinds: all },
+  { id: "ros", kinds: ["quaternion", "vector"] },
+  { id: "nalgebra", kinds: all },
+  { id: "javascript", kinds: all },
+  { id: "three", kinds: all },
+  { id: "matlab", kinds: all },
+  { id: "latex", kinds: all },
+  { id: "json", kinds: all },
+  { id: "test-vector", kinds: all },
+] as const satisfies readonly { id: string; kinds: readonly Kind[] }[];
+
+export type Format = (typeof formats)[number]["id"];
+/** What is written by a writer; numbers are text already. */
+export type CodeFormat = Exclude<Format, "numbers">;
+
+/** The sequences that three.js has: three different axes. */
+const isThreeDifferent = (axes: string) => new Set(axes).size === 3;
+
+/** Whether a value can be said in a format. */
+export function canSay(format: Format, value: Copied): boolean {
+  const kinds: readonly Kind[] = formats.find(({ id }) => id === format)?.kinds ?? [];
+  if (!kinds.includes(value.kind)) return false;
+  if (format === "scipy") return isRotation(value);
+  if (format === "three" && value.kind === "euler") return isThreeDifferent(value.sequence.axes);
+  return true;
+}

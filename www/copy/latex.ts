@@ -1,0 +1,43 @@
+// LaTeX for a paper, with amsmath.
+import { factors, listed, printed, scalarFirst, scalarLast } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+const transposed = "^{\\mathsf{T}}";
+const row = (numbers: readonly number[]) => listed(numbers, printed, " & ");
+const column = (numbers: readonly number[]) =>
+  `\\begin{bmatrix} ${row(numbers)} \\end{bmatrix}${transposed}`;
+
+/** `R(q)^T` as it is printed. */
+function formula(symbol: string): string {
+  return symbol
+    .replaceAll("(.)", "\\odot")
+    .replaceAll("(x)", "\\otimes")
+    .replaceAll(" o ", " \\circ ")
+    .replaceAll("^-1", "^{-1}")
+    .replaceAll("^T", transposed)
+    .replaceAll("*", "^{*}");
+}
+
+export const latex: Writer = {
+  comment: "%",
+  lines: {
+    quaternion: ({ symbol, components, convention: { order } }) => [
+      `${formula(symbol)} = ${column(order === "scalar-first" ? scalarFirst(components) : scalarLast(components))}`,
+    ],
+    matrix: ({ symbol, rows }) => [
+      `${formula(symbol)} = \\begin{bmatrix}`,
+      ...rows.map((numbers, at) => `  ${row(numbers)}${at < rows.length - 1 ? " \\\\" : ""}`),
+      "\\end{bmatrix}",
+    ],
+    vector: ({ symbol, numbers }) => [`${formula(symbol)} = ${column(numbers)}`],
+    "axis-angle": ({ axis, angleRad }) => [
+      `u = ${column(axis)}, \\quad \\theta = ${printed(angleRad)}`,
+    ],
+    "rotation-vector": ({ vectorRad }) => [`\\theta u = ${column(vectorRad)}`],
+    euler: ({ sequence: { axes, frame }, anglesRad }) => [
+      `R = ${factors(axes, frame, anglesRad)
+        .map(({ axis, angle }) => `R_${axis}(${printed(angle)})`)
+        .join(" \\, ")}`,
+    ],
+  },
+};

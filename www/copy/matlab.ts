@@ -1,0 +1,21 @@
+// MATLAB, with its toolboxes for quaternions.
+import { factors, listed, plain, scalarFirst, unitOf } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+const spaced = (numbers: readonly number[]) => listed(numbers, plain, " ");
+
+export const matlab: Writer = {
+  comment: "%",
+  lines: {
+    quaternion: ({ components }) => [`q = quaternion(${listed(scalarFirst(components), plain)});`],
+    matrix: ({ rows }) => [`M = [${rows.map(spaced).join("; ")}];`],
+    vector: ({ numbers }) => [`v = [${listed(numbers, plain, "; ")}];`],
+    "axis-angle": ({ axis, angleRad }) => [`axang = [${spaced([...axis, angleRad])}];`],
+    "rotation-vector": ({ vectorRad }) => [`q = quaternion([${spaced(vectorRad)}], "rotvec");`],
+    euler: ({ sequence: { axes, frame }, anglesRad }) => [
+      `R = ${factors(axes, frame, anglesRad)
+        .map(({ axis, angle }) => `axang2rotm([${spaced([...unitOf(axis), angle])}])`)
+        .join(" * ")};`,
+    ],
+  },
+};

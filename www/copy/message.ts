@@ -1,0 +1,13 @@
+// ROS messages as YAML: geometry_msgs/Quaternion and geometry_msgs/Vector3.
+import { float } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+export const ros: Writer = {
+  comment: "#",
+  lines: {
+    quaternion: ({ components }) =>
+      (["x", "y", "z", "w"] as const).map((name) => `${name}: ${float(components[name])}`),
+    vector: ({ numbers }) =>
+      ["x", "y", "z"].map((name, at) => `${name}: ${float(numbers[at] ?? 0)}`),
+  },
+};

@@ -1,0 +1,39 @@
+// Python with SciPy's Rotation, and with NumPy alone.
+import { sequenceLetters } from "../words/copy.ts";
+import type { Rows } from "./copied.ts";
+import { float, listed, scalarFirst, scalarLast } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+const list = (numbers: readonly number[]) => `[${listed(numbers, float)}]`;
+const nested = (rows: Rows, indent: string) => `[${rows.map(list).join(`,\n${indent}`)}]`;
+
+export const scipy: Writer = {
+  comment: "#",
+  lines: {
+    quaternion: ({ components }) => [`q = Rotation.from_quat(${list(scalarLast(components))})`],
+    matrix: ({ rows }) => [`r = Rotation.from_matrix(${nested(rows, " ".repeat(26))})`],
+    "axis-angle": ({ axis, angleRad }) => [
+      `r = Rotation.from_rotvec(${float(angleRad)} * np.array(${list(axis)}))`,
+    ],
+    "rotation-vector": ({ vectorRad }) => [`r = Rotation.from_rotvec(${list(vectorRad)})`],
+    euler: (value) => [
+      `r = Rotation.from_euler("${sequenceLetters(value)}", ${list(value.anglesRad)})`,
+    ],
+  },
+};
+
+export const numpy: Writer = {
+  comment: "#",
+  lines: {
+    quaternion: ({ components, convention: { order } }) => [
+      `q = np.array(${list(order === "scalar-first" ? scalarFirst(components) : scalarLast(components))})`,
+    ],
+    matrix: ({ rows }) => [`M = np.array(${nested(rows, " ".repeat(14))})`],
+    vector: ({ numbers }) => [`v = np.array(${list(numbers)})`],
+    "axis-angle": ({ axis, angleRad }) => [
+      `axis, angle = np.array(${list(axis)}), ${float(angleRad)}`,
+    ],
+    "rotation-vector": ({ vectorRad }) => [`v = np.array(${list(vectorRad)})`],
+    euler: ({ anglesRad }) => [`angles = np.array(${list(anglesRad)})`],
+  },
+};

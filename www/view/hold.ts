@@ -3,13 +3,27 @@
 
 const heldParts = ".field-hero .field-text, .ask-status";
 
-/** Keeps the heights as they are. */
+/** Keeps the heights as they are; what needs more in the meantime keeps that. */
 export function hold() {
   for (const part of document.querySelectorAll<HTMLElement>(heldParts)) {
-    if (part.classList.contains("held")) continue;
-    part.style.setProperty("--held-height", `${part.offsetHeight}px`);
+    part.style.setProperty("--held-height", `${part.getBoundingClientRect().height}px`);
     part.classList.add("held");
   }
+}
+
+/**
+ * Does an edit in such a field. Where the texts above need more lines than before all the same, the
+ * page is scrolled by as much, which not every browser does by itself.
+ */
+export function inPlace(field: HTMLElement, edit: () => void) {
+  hold();
+  const { top } = field.getBoundingClientRect();
+  edit();
+  // The page is written in a microtask that waits already.
+  queueMicrotask(() => {
+    const by = field.getBoundingClientRect().top - top;
+    if (by !== 0) scrollBy({ top: by, behavior: "instant" });
+  });
 }
 
 function release() {

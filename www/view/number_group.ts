@@ -3,7 +3,6 @@ import { type Description, editedState, editedText, namesOf } from "../edited_te
 import type { Convention, Direction, Problem, Span } from "../engine.ts";
 import { exact } from "../format.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { hold } from "./hold.ts";
 
 /** What a group of fields edits. */
 export interface Edited {
@@ -52,7 +51,6 @@ export function write(group: NumberGroup, at: number, typed: string) {
   const draft = store.draft.peek();
   // The parts of earlier texts are kept for undo, as long as the group is edited.
   const earlier = draft?.group === id ? draft.parts : [];
-  hold();
   store.draft.value = { group: id, parts: new Map([...earlier, [text, parts]]) };
   store.set(editedState(description, text), { as: `editing ${id} ${at}` });
 }
@@ -63,6 +61,9 @@ export function leave({ store, id }: NumberGroup) {
   if (store.draft.peek()?.group !== id) return;
   if (store.problemOf("quaternion") === undefined) store.draft.value = undefined;
 }
+
+/** Asked with a question that is not about the quaternion. */
+const noTurn = "w=1, x=0, y=0, z=0";
 
 /** The four components of a column; of the presets, or of the convention that is declared. */
 export function editedComponents(
@@ -92,7 +93,7 @@ function isConjugate(store: Store): boolean {
   const state = store.state.peek();
   const answer = store.engine.analyze({
     view: "read",
-    quaternion: "1",
+    quaternion: noTurn,
     vector: "0 0 0",
     convention: declaredConvention(state, store.engine),
   });
@@ -105,7 +106,7 @@ export function numberOf(store: Store, part: string): number | undefined {
   if (part.trim() !== "" && Number.isFinite(plain)) return plain;
   const answer = store.engine.analyze({
     view: "read",
-    quaternion: "1",
+    quaternion: noTurn,
     vector: `[(${part.replace(/\s*(?:deg|°|rad)\s*$/i, "")}), 0, 0]`,
     convention: store.engine.hamilton,
   });

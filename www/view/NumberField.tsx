@@ -5,7 +5,15 @@ import { shown } from "../format.ts";
 import type { Content } from "../history.ts";
 import { type Stride, stepped } from "../stepping.ts";
 import { inPlace } from "./hold.ts";
-import { leave, type NumberGroup, numberOf, partOf, write } from "./number_group.ts";
+import {
+  leave,
+  type NumberGroup,
+  numberOf,
+  partOf,
+  plainNumber,
+  shownNumbers,
+  write,
+} from "./number_group.ts";
 
 /** The characters that have a place, so that nothing moves when a number changes; as in edit.css. */
 const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
@@ -37,8 +45,8 @@ export function NumberField({
   /** The state before the edit, for Escape. */
   const before = useRef<Pick<Content, "quaternion" | "matrix">>(undefined);
   const typed = group.typed?.[at];
-  const reading =
-    typed === undefined ? (text ?? shown(group.numbers[at] ?? 0, digits)) : readable(typed, digits);
+  const isExpression = typed !== undefined && plainNumber(typed) === undefined;
+  const reading = isExpression ? typed : (text ?? shown(shownNumbers(group)[at] ?? 0, digits));
   const isWrong = group.isWrong(at);
   const isLong = reading.length > (unit === "degrees" ? anglePlaces : places)[digits];
 
@@ -105,12 +113,6 @@ export function NumberField({
       data-group={group.id}
     />
   );
-}
-
-/** What was typed, rounded where it is a number. */
-function readable(typed: string, digits: Digits): string {
-  const number = Number(typed);
-  return typed.trim() !== "" && Number.isFinite(number) ? shown(number, digits) : typed;
 }
 
 function select(field: HTMLInputElement, text: string) {

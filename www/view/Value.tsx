@@ -7,7 +7,7 @@ import { alignedAll, alignedRows, exactArray, exactRows, shown, shownArray } fro
 import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
-import { type Edited, numberGroup } from "./number_group.ts";
+import { type Edited, numberGroup, shownNumbers } from "./number_group.ts";
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({
@@ -82,7 +82,7 @@ export function Matrix({
   edited?: Edited;
 }) {
   const group = edited && numberGroup(edited, rows.flat());
-  const cells = group ? alignedAll(rows, digits) : alignedRows(rows, digits);
+  const cells = group ? alignedAll(shownNumbers(group), 3, digits) : alignedRows(rows, digits);
   return (
     <figure class="matrix">
       <figcaption>

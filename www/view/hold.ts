@@ -30,11 +30,16 @@ function release() {
   for (const part of document.querySelectorAll(".held")) part.classList.remove("held");
 }
 
-/** Lets go where the text itself is edited, another one is opened, or the window changes. */
+/** Lets go where the text itself is edited, another one is opened, or the width changes. */
 export function releaseOnLeaving() {
   document.addEventListener("focusin", (event) => {
     if (event.target instanceof Element && event.target.closest(".ask textarea")) release();
   });
   addEventListener("hashchange", release);
-  addEventListener("resize", release);
+  // The keyboard of a phone changes the height alone.
+  let width = innerWidth;
+  addEventListener("resize", () => {
+    if (innerWidth !== width) release();
+    width = innerWidth;
+  });
 }

@@ -42,6 +42,18 @@ export function partOf({ typed, numbers }: NumberGroup, at: number): string {
   return typed?.[at] ?? exact(numbers[at] ?? 0);
 }
 
+/** The numbers to be read in the fields: those that were typed, where they are numbers. */
+export function shownNumbers({ typed, numbers }: NumberGroup): number[] {
+  return numbers.map((number, at) => plainNumber(typed?.[at]) ?? number);
+}
+
+/** The number that a text is by itself. */
+export function plainNumber(text: string | undefined): number | undefined {
+  if (text === undefined || text.trim() === "") return undefined;
+  const number = Number(text.trim().replace("−", "-"));
+  return Number.isFinite(number) ? number + 0 : undefined;
+}
+
 /** Writes what was typed into one field, as a text of all of them. */
 export function write(group: NumberGroup, at: number, typed: string) {
   const { store, id, describe, numbers } = group;
@@ -102,8 +114,8 @@ function isConjugate(store: Store): boolean {
 
 /** The number that a part says; nothing where it says none. */
 export function numberOf(store: Store, part: string): number | undefined {
-  const plain = Number(part);
-  if (part.trim() !== "" && Number.isFinite(plain)) return plain;
+  const plain = plainNumber(part);
+  if (plain !== undefined) return plain;
   const answer = store.engine.analyze({
     view: "read",
     quaternion: noTurn,

@@ -79,13 +79,19 @@ export function alignedRows(rows: readonly (readonly number[])[], digits: Digits
   );
 }
 
-/** The same where all columns are of one width. */
-export function alignedAll(rows: readonly (readonly number[])[], digits: Digits): string[][] {
+/** Cells of a matrix of so many columns, all columns padded to the same width. */
+export function alignedAll(
+  numbers: readonly number[],
+  columns: number,
+  digits: Digits,
+): string[][] {
   const cells = alignedRows(
-    rows.flat().map((number) => [number]),
+    numbers.map((number) => [number]),
     digits,
   ).flat();
-  return rows.map((row, at) => cells.slice(at * row.length, (at + 1) * row.length));
+  return Array.from({ length: cells.length / columns }, (_, row) =>
+    cells.slice(row * columns, (row + 1) * columns),
+  );
 }
 
 function splitAtPoint(text: string): [string, string] {

@@ -55,9 +55,10 @@ function keepAddress(store: Store) {
   addEventListener("pagehide", write);
   // A link leaves a history entry behind: it must hold what was typed just before.
   addEventListener("click", write, { capture: true });
-  addEventListener("hashchange", () => {
+  // The address may have been written again since it changed.
+  addEventListener("hashchange", ({ newURL }) => {
     clearTimeout(pending);
-    store.open(location.hash);
+    store.open(new URL(newURL).hash);
     opened = store.state.peek();
   });
 }

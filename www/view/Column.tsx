@@ -3,9 +3,10 @@ import type { Digits, Preset } from "../address.ts";
 import { columnValues } from "../copy/values.ts";
 import type { Column, Direction } from "../engine.ts";
 import type { Store } from "../state.ts";
+import * as text from "../words/column.ts";
+import { wordsOf } from "../words/conventions.ts";
 import { editedComponents, editedMatrix } from "./number_group.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
-import { wordsOf } from "./words.ts";
 
 export function ConventionColumn({
   store,
@@ -34,7 +35,7 @@ export function ConventionColumn({
     <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
       <header>
         <h2 id={`${preset}-name`}>{words.name}</h2>
-        {preset === declared && <span class="badge">as declared</span>}
+        {preset === declared && <span class="badge">{text.asDeclared}</span>}
         <p class="axes">
           <span>{words.product}</span> <span>{words.order}</span> <span>{words.direction}</span>
         </p>
@@ -60,7 +61,7 @@ export function ConventionColumn({
           edited={editedMatrix(store, `${preset} matrix`, direction)}
         />
         <Matrix
-          name={`inverse of ${words.matrix}(q)`}
+          name={text.inverseOf(`${words.matrix}(q)`)}
           symbol={
             <>
               {matrix}
@@ -89,7 +90,7 @@ export function ConventionColumn({
           note={words.vector}
         />
         <ArrayRow
-          name={`${words.name} conjugate`}
+          name={text.conjugateOf(words.name)}
           symbol={
             <>
               <var>q</var>*
@@ -98,10 +99,10 @@ export function ConventionColumn({
           numbers={column.conjugate.array}
           value={values.conjugate}
           digits={digits}
-          note="the conjugate"
+          note={text.conjugate}
         />
         <ArrayRow
-          name={`${words.name} inverse`}
+          name={text.inverseQuaternionOf(words.name)}
           symbol={
             <>
               <var>q</var>
@@ -111,10 +112,10 @@ export function ConventionColumn({
           numbers={column.inverse?.array}
           value={values.inverse}
           digits={digits}
-          note={isUnit ? "the inverse: the conjugate" : "the inverse: conjugate / norm²"}
+          note={isUnit ? text.inverseOfUnit : text.inverse}
         />
         <ArrayRow
-          name={`${words.name} unit quaternion`}
+          name={text.unitOf(words.name)}
           symbol={
             <>
               <var>q</var>/|<var>q</var>|
@@ -123,32 +124,32 @@ export function ConventionColumn({
           numbers={column.unit.array}
           value={values.unit}
           digits={digits}
-          note={isUnit ? "norm 1: q itself" : "the same rotation with norm 1"}
+          note={isUnit ? text.unitItself : text.unit}
         />
       </div>
       <details class="products">
-        <summary>Product matrices</summary>
+        <summary>{text.productMatrices}</summary>
         <div class="matrices">
           <Matrix
-            name={`${words.name} left product matrix`}
+            name={text.leftProductOf(words.name)}
             symbol={
               <>
                 <var>q</var>∘<var>p</var> = <var>L p</var>
               </>
             }
-            caption={`on ${words.order}`}
+            caption={text.onOrder(words.order)}
             rows={column.leftProductMatrix}
             value={values.left}
             digits={digits}
           />
           <Matrix
-            name={`${words.name} right product matrix`}
+            name={text.rightProductOf(words.name)}
             symbol={
               <>
                 <var>p</var>∘<var>q</var> = <var>R p</var>
               </>
             }
-            caption={`on ${words.order}`}
+            caption={text.onOrder(words.order)}
             rows={column.rightProductMatrix}
             value={values.right}
             digits={digits}

@@ -4,9 +4,12 @@ import type { Digits } from "../address.ts";
 import { declaredValues } from "../copy/values.ts";
 import type { ReadReport, Rules, Side } from "../engine.ts";
 import type { Store } from "../state.ts";
+import { asDeclared } from "../words/column.ts";
+import { arrowOf } from "../words/conventions.ts";
+import * as words from "../words/declared.tsx";
+import { fiveWords, nameOf } from "./conventions.ts";
 import { editedComponents, editedMatrix } from "./number_group.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
-import { arrowOf, fiveWords, nameOf } from "./words.ts";
 
 export function DeclaredCard({
   report,
@@ -29,15 +32,15 @@ export function DeclaredCard({
   return (
     <section class="card column declared" aria-labelledby="declared-name">
       <header>
-        <h2 id="declared-name">{name ?? "Your convention"}</h2>
-        <span class="badge">as declared</span>
+        <h2 id="declared-name">{name ?? words.yours}</h2>
+        <span class="badge">{asDeclared}</span>
         <p class="axes-words">{fiveWords(declared.convention)}</p>
       </header>
       <div class="declared-body">
         <div>
           <ComponentStrip
             symbol="q"
-            name="q as declared"
+            name={words.named("q")}
             components={declared.quaternion}
             convention={declared.convention}
             value={values.quaternion}
@@ -46,17 +49,17 @@ export function DeclaredCard({
           />
           <div class="rows">
             <ArrayRow
-              name="x as declared"
+              name={words.named("x")}
               symbol={act}
               numbers={declared.image}
               value={values.image}
               digits={digits}
-              note={`the coordinates of x, ${arrowOf(rules.operator)}`}
+              note={words.coordinates(arrowOf(rules.operator))}
             />
           </div>
         </div>
         <Matrix
-          name="matrix of q as declared"
+          name={words.matrix}
           symbol={<>{act} =</>}
           caption={arrowOf(rules.operator)}
           rows={declared.matrix}
@@ -73,27 +76,31 @@ export function DeclaredCard({
 /** What the convention multiplies in which order. */
 function RulesList({ rules }: { rules: Rules }) {
   return (
-    <ul class="rules" aria-label="What this convention multiplies">
+    <ul class="rules" aria-label={words.multiplies}>
+      <li>{words.components(rules.isCanonical)}</li>
       <li>
-        Components: {rules.isCanonical ? "those of Hamilton" : "the conjugate of Hamilton's"}.
+        {words.labels(
+          <Product first={<Q of="AB" />} second={<Q of="BC" />} side={rules.labelledFirst} />,
+          <Q of="AC" />,
+        )}
       </li>
       <li>
-        By labels{" "}
-        <Product first={<Q of="AB" />} second={<Q of="BC" />} side={rules.labelledFirst} /> is{" "}
-        <Q of="AC" />.
+        {words.camera(
+          <Product first={<Q of="WB" />} second={<Q of="BC" />} side={rules.chainFirst} />,
+        )}
       </li>
       <li>
-        A camera C on the body B:{" "}
-        <Product first={<Q of="WB" />} second={<Q of="BC" />} side={rules.chainFirst} /> is its
-        quaternion in the world.
+        {words.increment(
+          <Product first={<var>δq</var>} second={<var>q</var>} side={rules.increment} />,
+        )}
       </li>
       <li>
-        A small turn: <Product first={<var>δq</var>} second={<var>q</var>} side={rules.increment} />
-        .
-      </li>
-      <li>
-        The body's rate: <var>q̇</var> = {rules.isCanonical ? "½" : "−½"}{" "}
-        <Product first={<var>ω</var>} second={<var>q</var>} side={rules.bodyRate} />.
+        {words.bodyRate(
+          <>
+            <var>q̇</var> = {rules.isCanonical ? "½" : "−½"}{" "}
+            <Product first={<var>ω</var>} second={<var>q</var>} side={rules.bodyRate} />
+          </>,
+        )}
       </li>
     </ul>
   );

@@ -84,7 +84,7 @@ export function EulerFact({
                   at={at}
                   label={fieldWords.eulerAngle(name, fieldWords.degrees)}
                   digits={digits}
-                  step={1}
+                  unit="degrees"
                 />
                 °
               </dd>

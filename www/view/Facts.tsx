@@ -34,7 +34,14 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <p class="fact-value">
           <span class="numbers">
             <span class="with-unit">
-              <NumberField group={turn} at={0} label={fieldWords.angle} digits={digits} step={1} />°
+              <NumberField
+                group={turn}
+                at={0}
+                label={fieldWords.angle}
+                digits={digits}
+                unit="degrees"
+              />
+              °
             </span>
             <span class="about">{fieldWords.about}</span>
             <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />

@@ -100,6 +100,8 @@ export function LibraryPicker({
           ref={input}
           type="text"
           role="combobox"
+          // What is typed here is no part of the state until something is picked.
+          data-undo="own"
           aria-expanded={isOpen}
           aria-controls={`${id}-list`}
           aria-autocomplete="list"

@@ -4,10 +4,24 @@ import type { Digits } from "../address.ts";
 import { shown } from "../format.ts";
 import type { Content } from "../history.ts";
 import { type Stride, stepped } from "../stepping.ts";
-import { leave, type NumberGroup, numberOf, partOf, write } from "./number_group.ts";
+import { inPlace } from "./hold.ts";
+import {
+  leave,
+  type NumberGroup,
+  numberOf,
+  partOf,
+  plainNumber,
+  shownNumbers,
+  write,
+} from "./number_group.ts";
 
 /** The characters that have a place, so that nothing moves when a number changes; as in edit.css. */
 const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
+/** An angle in degrees has two digits more. */
+const anglePlaces: Record<Digits, number> = { "4": 9, "6": 11, all: 20 };
+
+/** What the arrow keys add. */
+const steps = { degrees: 1, none: 0.01 };
 
 export function NumberField({
   group,
@@ -15,7 +29,7 @@ export function NumberField({
   label,
   digits,
   text,
-  step = 0.01,
+  unit = "none",
 }: {
   group: NumberGroup;
   /** The place in the group. */
@@ -24,18 +38,17 @@ export function NumberField({
   digits: Digits;
   /** The number for reading, where it is aligned with others. */
   text?: string | undefined;
-  /** What the arrow keys add. */
-  step?: number;
+  unit?: "degrees" | "none";
 }) {
   const { store } = group;
   const [isEdited, setEdited] = useState(false);
   /** The state before the edit, for Escape. */
   const before = useRef<Pick<Content, "quaternion" | "matrix">>(undefined);
   const typed = group.typed?.[at];
-  const reading =
-    typed === undefined ? (text ?? shown(group.numbers[at] ?? 0, digits)) : readable(typed, digits);
+  const isExpression = typed !== undefined && plainNumber(typed) === undefined;
+  const reading = isExpression ? typed : (text ?? shown(shownNumbers(group)[at] ?? 0, digits));
   const isWrong = group.isWrong(at);
-  const isLong = reading.length > places[digits];
+  const isLong = reading.length > (unit === "degrees" ? anglePlaces : places)[digits];
 
   const begin = (field: HTMLInputElement) => {
     const { quaternion, matrix } = store.state.peek();
@@ -51,8 +64,8 @@ export function NumberField({
       event.preventDefault();
       const number = numberOf(store, field.value);
       if (number === undefined) return;
-      const next = stepped(number, step, strideOf(event), direction);
-      write(group, at, next);
+      const next = stepped(number, steps[unit], strideOf(event), direction);
+      inPlace(field, () => write(group, at, next));
       select(field, next);
     } else if (event.key === "Enter" && !event.isComposing) {
       event.preventDefault();
@@ -61,7 +74,8 @@ export function NumberField({
     } else if (event.key === "Escape" && before.current !== undefined) {
       if (store.state.peek().quaternion === before.current.quaternion) return;
       event.preventDefault();
-      store.set(before.current, { as: `editing ${group.id} ${at}` });
+      const parts = before.current;
+      inPlace(field, () => store.set(parts, { as: `editing ${group.id} ${at}` }));
       store.step();
       field.select();
     }
@@ -86,7 +100,7 @@ export function NumberField({
         event.currentTarget.focus();
       }}
       onFocus={(event) => begin(event.currentTarget)}
-      onInput={(event) => write(group, at, event.currentTarget.value)}
+      onInput={({ currentTarget: field }) => inPlace(field, () => write(group, at, field.value))}
       onKeyDown={onKeyDown}
       onBlur={(event) => {
         // The window lost the focus, and the field keeps it within the window.
@@ -99,12 +113,6 @@ export function NumberField({
       data-group={group.id}
     />
   );
-}
-
-/** What was typed, rounded where it is a number. */
-function readable(typed: string, digits: Digits): string {
-  const number = Number(typed);
-  return typed.trim() !== "" && Number.isFinite(number) ? shown(number, digits) : typed;
 }
 
 function select(field: HTMLInputElement, text: string) {

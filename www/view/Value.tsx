@@ -5,10 +5,11 @@ import type { Copied } from "../copy/copied.ts";
 import { type ComponentName, namesOf } from "../edited_text.ts";
 import type { Components, Convention } from "../engine.ts";
 import { alignedAll, alignedRows, exactArray, exactRows, shown, shownArray } from "../format.ts";
+import { beyondDouble, rowByRow } from "../words/column.ts";
 import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
-import { type Edited, numberGroup } from "./number_group.ts";
+import { type Edited, numberGroup, shownNumbers } from "./number_group.ts";
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({
@@ -87,7 +88,7 @@ export function Matrix({
   value?: Copied | undefined;
 }) {
   const group = edited && numberGroup(edited, rows.flat());
-  const cells = group ? alignedAll(rows, digits) : alignedRows(rows, digits);
+  const cells = group ? alignedAll(shownNumbers(group), 3, digits) : alignedRows(rows, digits);
   return (
     <figure class="matrix">
       <figcaption>
@@ -98,7 +99,7 @@ export function Matrix({
       {/* Where it is wider than its place, the arrow keys or the fields reach all of it. */}
       <section
         class={`matrix-scroll digits-${digits}`}
-        aria-label={`${name}, row by row`}
+        aria-label={rowByRow(name)}
         {...(mayScroll(digits) && !group ? { tabIndex: 0 } : {})}
       >
         <table aria-label={name}>
@@ -150,7 +151,7 @@ export function ArrayRow({
       <span class="row-symbol">{symbol}</span>
       <span class="row-value">
         {numbers === undefined ? (
-          <span class="row-absent">beyond the range of a double</span>
+          <span class="row-absent">{beyondDouble}</span>
         ) : (
           <code>{shownArray(numbers, digits)}</code>
         )}

@@ -3,24 +3,43 @@
 
 const heldParts = ".field-hero .field-text, .ask-status";
 
-/** Keeps the heights as they are. */
+/** Keeps the heights as they are; what needs more in the meantime keeps that. */
 export function hold() {
   for (const part of document.querySelectorAll<HTMLElement>(heldParts)) {
-    if (part.classList.contains("held")) continue;
-    part.style.setProperty("--held-height", `${part.offsetHeight}px`);
+    part.style.setProperty("--held-height", `${part.getBoundingClientRect().height}px`);
     part.classList.add("held");
   }
+}
+
+/**
+ * Does an edit in such a field. Where the texts above need more lines than before all the same, the
+ * page is scrolled by as much, which not every browser does by itself.
+ */
+export function inPlace(field: HTMLElement, edit: () => void) {
+  hold();
+  const { top } = field.getBoundingClientRect();
+  edit();
+  // The page is written in a microtask that waits already.
+  queueMicrotask(() => {
+    const by = field.getBoundingClientRect().top - top;
+    if (by !== 0) scrollBy({ top: by, behavior: "instant" });
+  });
 }
 
 function release() {
   for (const part of document.querySelectorAll(".held")) part.classList.remove("held");
 }
 
-/** Lets go where the text itself is edited, another one is opened, or the window changes. */
+/** Lets go where the text itself is edited, another one is opened, or the width changes. */
 export function releaseOnLeaving() {
   document.addEventListener("focusin", (event) => {
     if (event.target instanceof Element && event.target.closest(".ask textarea")) release();
   });
   addEventListener("hashchange", release);
-  addEventListener("resize", release);
+  // The keyboard of a phone changes the height alone.
+  let width = innerWidth;
+  addEventListener("resize", () => {
+    if (innerWidth !== width) release();
+    width = innerWidth;
+  });
 }

@@ -3,7 +3,6 @@ import { type Description, editedState, editedText, namesOf } from "../edited_te
 import type { Convention, Direction, Problem, Span } from "../engine.ts";
 import { exact } from "../format.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { hold } from "./hold.ts";
 
 /** What a group of fields edits. */
 export interface Edited {
@@ -43,6 +42,18 @@ export function partOf({ typed, numbers }: NumberGroup, at: number): string {
   return typed?.[at] ?? exact(numbers[at] ?? 0);
 }
 
+/** The numbers to be read in the fields: those that were typed, where they are numbers. */
+export function shownNumbers({ typed, numbers }: NumberGroup): number[] {
+  return numbers.map((number, at) => plainNumber(typed?.[at]) ?? number);
+}
+
+/** The number that a text is by itself. */
+export function plainNumber(text: string | undefined): number | undefined {
+  if (text === undefined || text.trim() === "") return undefined;
+  const number = Number(text.trim().replace("−", "-"));
+  return Number.isFinite(number) ? number + 0 : undefined;
+}
+
 /** Writes what was typed into one field, as a text of all of them. */
 export function write(group: NumberGroup, at: number, typed: string) {
   const { store, id, describe, numbers } = group;
@@ -52,7 +63,6 @@ export function write(group: NumberGroup, at: number, typed: string) {
   const draft = store.draft.peek();
   // The parts of earlier texts are kept for undo, as long as the group is edited.
   const earlier = draft?.group === id ? draft.parts : [];
-  hold();
   store.draft.value = { group: id, parts: new Map([...earlier, [text, parts]]) };
   store.set(editedState(description, text), { as: `editing ${id} ${at}` });
 }
@@ -63,6 +73,9 @@ export function leave({ store, id }: NumberGroup) {
   if (store.draft.peek()?.group !== id) return;
   if (store.problemOf("quaternion") === undefined) store.draft.value = undefined;
 }
+
+/** Asked with a question that is not about the quaternion. */
+const noTurn = "w=1, x=0, y=0, z=0";
 
 /** The four components of a column; of the presets, or of the convention that is declared. */
 export function editedComponents(
@@ -92,7 +105,7 @@ function isConjugate(store: Store): boolean {
   const state = store.state.peek();
   const answer = store.engine.analyze({
     view: "read",
-    quaternion: "1",
+    quaternion: noTurn,
     vector: "0 0 0",
     convention: declaredConvention(state, store.engine),
   });
@@ -101,11 +114,11 @@ function isConjugate(store: Store): boolean {
 
 /** The number that a part says; nothing where it says none. */
 export function numberOf(store: Store, part: string): number | undefined {
-  const plain = Number(part);
-  if (part.trim() !== "" && Number.isFinite(plain)) return plain;
+  const plain = plainNumber(part);
+  if (plain !== undefined) return plain;
   const answer = store.engine.analyze({
     view: "read",
-    quaternion: "1",
+    quaternion: noTurn,
     vector: `[(${part.replace(/\s*(?:deg|°|rad)\s*$/i, "")}), 0, 0]`,
     convention: store.engine.hamilton,
   });

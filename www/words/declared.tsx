@@ -1,0 +1,20 @@
+// The words of a declared convention that is neither preset.
+import type { ComponentChildren } from "preact";
+
+export const yours = "Your convention";
+export const named = (symbol: string) => `${symbol} as declared`;
+export const matrix = "matrix of q as declared";
+export const coordinates = (arrow: string) => `the coordinates of x, ${arrow}`;
+export const multiplies = "What this convention multiplies";
+export const components = (isCanonical: boolean) =>
+  `Components: ${isCanonical ? "those of Hamilton" : "the conjugate of Hamilton's"}.`;
+export const labels = (product: ComponentChildren, made: ComponentChildren) => (
+  <>
+    By labels {product} is {made}.
+  </>
+);
+export const camera = (product: ComponentChildren) => (
+  <>A camera C on the body B: {product} is its quaternion in the world.</>
+);
+export const increment = (product: ComponentChildren) => <>A small turn: {product}.</>;
+export const bodyRate = (derivative: ComponentChildren) => <>The body's rate: {derivative}.</>;

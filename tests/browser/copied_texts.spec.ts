@@ -134,13 +134,13 @@ test("the four numbers stand where each constructor takes them, and nothing is c
   const calls: Partial<Record<CodeFormat, string>> = {
     eigen: "Eigen::Quaterniond q(0.888819441731559, 0.1, -0.2, 0.4);",
     scipy: "q = Rotation.from_quat([0.1, -0.2, 0.4, 0.888819441731559])",
-    numpy: "q = np.array([0.1, -0.2, 0.4, 0.888819441731559])",
+    numpy: "q_xyzw = np.array([0.1, -0.2, 0.4, 0.888819441731559])",
     ros: "x: 0.1",
     nalgebra:
       "let q = UnitQuaternion::from_quaternion(Quaternion::new(0.888819441731559, 0.1, -0.2, 0.4));",
-    javascript: "const q = [0.1, -0.2, 0.4, 0.888819441731559];",
+    javascript: "const q_xyzw = [0.1, -0.2, 0.4, 0.888819441731559];",
     three: "const q = new THREE.Quaternion(0.1, -0.2, 0.4, 0.888819441731559);",
-    matlab: "q = quaternion(0.888819441731559, 0.1, -0.2, 0.4);",
+    matlab: "q_wxyz = quaternion(0.888819441731559, 0.1, -0.2, 0.4);",
   };
   for (const [format, line] of Object.entries(calls)) {
     expect(value && preview(value, format as CodeFormat, origin)).toBe(line);
@@ -220,9 +220,13 @@ test("a quaternion that was copied is read again as the same attitude", () => {
     const value = values()[name];
     if (value?.kind !== "quaternion") throw new Error(`${name} is no quaternion`);
     for (const format of codeFormats.filter((id) => !["latex", "test-vector"].includes(id))) {
-      const { quaternion } = read(written(value, format, origin), value.convention);
-      const { w, x, y, z } = quaternion.components;
-      expect({ w, x, y, z }, `${name} as ${format}`).toEqual(value.components);
+      // Whatever order is declared: the text tells its own.
+      for (const order of ["scalar-first", "scalar-last"] as const) {
+        const declared = { ...value.convention, order };
+        const { quaternion } = read(written(value, format, origin), declared);
+        const { w, x, y, z } = quaternion.components;
+        expect({ w, x, y, z }, `${name} as ${format}`).toEqual(value.components);
+      }
     }
   }
 });

@@ -143,7 +143,7 @@ test("copying works where the browser takes no promise, and a refusal is said", 
   });
   await page.goto(jplLog);
   await page.getByRole("button", { name: "Copy JPL q as MATLAB", exact: true }).click();
-  await expect.poll(() => clipboard(page)).toContain("q = quaternion(0.888819441731559, 0.1");
+  await expect.poll(() => clipboard(page)).toContain("q_wxyz = quaternion(0.888819441731559, 0.1");
   await page.evaluate(() => {
     navigator.clipboard.writeText = () => Promise.reject(new Error("refused"));
   });
@@ -175,7 +175,7 @@ test("a stored format that is none, and a browser that stores nothing, change no
 test("what the page copies, the page reads as the same attitude", async ({ page }) => {
   await page.goto(jplLog);
   const field = page.getByRole("textbox", { name: "quaternion q" });
-  for (const format of ["C++, Eigen", "ROS YAML", "MATLAB", "JSON"]) {
+  for (const format of ["C++, Eigen", "JavaScript", "MATLAB", "JSON"]) {
     await menuOf(page, "JPL q").click();
     await item(page, format).click();
     await expect(page.getByText(`JPL q copied as ${format}`, { exact: true })).toBeVisible();

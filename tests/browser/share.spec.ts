@@ -62,6 +62,7 @@ test("a text with a problem is not cited, and other views share their link", asy
   await page.getByRole("button", { name: "Share" }).click();
   await expect(page.getByText("There is nothing to cite while the text has")).toBeVisible();
   await expect(page.getByRole("button", { name: "Copy: Cite this case" })).toHaveCount(0);
+  await page.keyboard.press("Escape");
   await page.goto("/#libraries?library=openvins");
   expect(await shared(page, "Link")).toMatch(/#libraries\?v=1&library=openvins$/);
   await expect(page.getByRole("button", { name: "Copy: Cite this case" })).toHaveCount(0);

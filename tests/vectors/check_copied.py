@@ -20,7 +20,7 @@ for case in cases:
     exec(case["text"], names)
     made = names.get("r", names.get("q"))
     if not isinstance(made, Rotation):
-        numbers = [value for name, value in names.items() if name in ("q", "M", "v", "axis", "angles")]
+        numbers = [value for name, value in names.items() if name in ("q_wxyz", "q_xyzw", "M", "v", "axis", "angles")]
         if len(numbers) != 1 or numbers[0].dtype != float:
             failed += 1
             print(case["value"], "is no array of floats:", case["text"])

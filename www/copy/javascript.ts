@@ -1,6 +1,6 @@
 // JavaScript as plain arrays, and with three.js.
 import type { CopiedEuler, Rows } from "./copied.ts";
-import { listed, plain, scalarFirst, scalarLast } from "./numbers.ts";
+import { listed, ordered, plain, scalarLast } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const list = (numbers: readonly number[]) => `[${listed(numbers, plain)}]`;
@@ -10,9 +10,10 @@ const lined = (rows: Rows, written: (row: readonly number[]) => string) =>
 export const javascript: Writer = {
   comment: "//",
   lines: {
-    quaternion: ({ components, convention: { order } }) => [
-      `const q = ${list(order === "scalar-first" ? scalarFirst(components) : scalarLast(components))};`,
-    ],
+    quaternion: (value) => {
+      const { name, numbers } = ordered(value);
+      return [`const ${name} = ${list(numbers)};`];
+    },
     matrix: ({ rows }) => ["const M = [", ...lined(rows, list), "];"],
     vector: ({ numbers }) => [`const v = ${list(numbers)};`],
     "axis-angle": ({ axis, angleRad }) => [

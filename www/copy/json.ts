@@ -1,7 +1,7 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
 import { directionWords, productWords, says, sequenceLetters, takesWords } from "../words/copy.ts";
 import { type Copied, type CopiedQuaternion, directionOfAction } from "./copied.ts";
-import { scalarFirst, scalarLast } from "./numbers.ts";
+import { ordered } from "./numbers.ts";
 
 /** Where a copied value comes from. */
 export interface Origin {
@@ -65,12 +65,12 @@ export function testVector(value: Copied, origin: Origin): string {
 }
 
 function quaternionVector(value: CopiedQuaternion) {
-  const { components, convention, matrix } = value;
+  const { convention, matrix } = value;
   const acts = directionOfAction(convention);
   return {
     convention: { ...convention, product: productWords[convention.handedness] },
     numbers: numbersOf(value),
-    array: convention.order === "scalar-first" ? scalarFirst(components) : scalarLast(components),
+    array: ordered(value).numbers,
     ...(matrix && {
       expected: {
         matrix,

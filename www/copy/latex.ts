@@ -1,5 +1,5 @@
 // LaTeX for a paper, with amsmath.
-import { factors, listed, printed, scalarFirst, scalarLast } from "./numbers.ts";
+import { factors, listed, ordered, printed } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const transposed = "^{\\mathsf{T}}";
@@ -21,9 +21,7 @@ function formula(symbol: string): string {
 export const latex: Writer = {
   comment: "%",
   lines: {
-    quaternion: ({ symbol, components, convention: { order } }) => [
-      `${formula(symbol)} = ${column(order === "scalar-first" ? scalarFirst(components) : scalarLast(components))}`,
-    ],
+    quaternion: (value) => [`${formula(value.symbol)} = ${column(ordered(value).numbers)}`],
     matrix: ({ symbol, rows }) => [
       `${formula(symbol)} = \\begin{bmatrix}`,
       ...rows.map((numbers, at) => `  ${row(numbers)}${at < rows.length - 1 ? " \\\\" : ""}`),

@@ -7,7 +7,9 @@ const spaced = (numbers: readonly number[]) => listed(numbers, plain, " ");
 export const matlab: Writer = {
   comment: "%",
   lines: {
-    quaternion: ({ components }) => [`q = quaternion(${listed(scalarFirst(components), plain)});`],
+    quaternion: ({ components }) => [
+      `q_wxyz = quaternion(${listed(scalarFirst(components), plain)});`,
+    ],
     matrix: ({ rows }) => [`M = [${rows.map(spaced).join("; ")}];`],
     vector: ({ numbers }) => [`v = [${listed(numbers, plain, "; ")}];`],
     "axis-angle": ({ axis, angleRad }) => [`axang = [${spaced([...axis, angleRad])}];`],

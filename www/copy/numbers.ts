@@ -1,5 +1,5 @@
 // Numbers in code: the shortest text that reads back as the same double, and never -0.
-import type { NamedNumbers } from "./copied.ts";
+import type { CopiedQuaternion, NamedNumbers } from "./copied.ts";
 
 /** As JavaScript, MATLAB and JSON write it: whole numbers stay short. */
 export function plain(number: number): string {
@@ -26,6 +26,19 @@ export function listed(
   mark = ", ",
 ): string {
   return numbers.map(written).join(mark);
+}
+
+/**
+ * Four numbers in the order of their convention, under a name that tells it: programs of every
+ * language read four bare numbers in either order.
+ */
+export function ordered({ components, convention }: CopiedQuaternion): {
+  name: string;
+  numbers: number[];
+} {
+  return convention.order === "scalar-first"
+    ? { name: "q_wxyz", numbers: scalarFirst(components) }
+    : { name: "q_xyzw", numbers: scalarLast(components) };
 }
 
 export const scalarFirst = ({ w, x, y, z }: NamedNumbers) => [w, x, y, z];

@@ -1,7 +1,7 @@
 // Python with SciPy's Rotation, and with NumPy alone.
 import { sequenceLetters } from "../words/copy.ts";
 import type { Rows } from "./copied.ts";
-import { float, listed, scalarFirst, scalarLast } from "./numbers.ts";
+import { float, listed, ordered, scalarLast } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const list = (numbers: readonly number[]) => `[${listed(numbers, float)}]`;
@@ -25,9 +25,10 @@ export const scipy: Writer = {
 export const numpy: Writer = {
   comment: "#",
   lines: {
-    quaternion: ({ components, convention: { order } }) => [
-      `q = np.array(${list(order === "scalar-first" ? scalarFirst(components) : scalarLast(components))})`,
-    ],
+    quaternion: (value) => {
+      const { name, numbers } = ordered(value);
+      return [`${name} = np.array(${list(numbers)})`];
+    },
     matrix: ({ rows }) => [`M = np.array(${nested(rows, " ".repeat(14))})`],
     vector: ({ numbers }) => [`v = np.array(${list(numbers)})`],
     "axis-angle": ({ axis, angleRad }) => [

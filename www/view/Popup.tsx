@@ -1,6 +1,6 @@
 // A panel in front of the page, beside the button that opens it.
 import type { ComponentChildren } from "preact";
-import { useEffect, useLayoutEffect, useRef } from "preact/hooks";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { placeBeside } from "./place.ts";
 import "./popup.css";
 
@@ -38,7 +38,8 @@ export function Popup({
     chosen?.scrollIntoView({ block: "nearest" });
   }, [anchor]);
 
-  useEffect(() => {
+  // Before the next paint, so that no key is lost that follows at once.
+  useLayoutEffect(() => {
     const element = panel.current;
     if (element === null) return;
     const closeOutside = (event: Event) => {

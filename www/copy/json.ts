@@ -1,6 +1,6 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
 import { directionWords, productWords, says, sequenceLetters, takesWords } from "../words/copy.ts";
-import { type Copied, type CopiedQuaternion, directionOfAction } from "./copied.ts";
+import { type Copied, type CopiedQuaternion, directionOfAction, directionOfR } from "./copied.ts";
 import { ordered } from "./numbers.ts";
 
 /** Where a copied value comes from. */
@@ -14,7 +14,7 @@ export interface Origin {
 
 /** The numbers by name, on one line. */
 export function json(value: Copied): string {
-  const comment = says(value, "json").join("; ");
+  const comment = says(value, "json", directionOfR).join("; ");
   return JSON.stringify({ comment, ...numbersOf(value) }, null, 1).replace(/\n\s*/g, " ");
 }
 
@@ -53,7 +53,7 @@ export function testVector(value: Copied, origin: Origin): string {
     testVector: testVectorVersion,
     quatlas: version,
     kind: value.kind,
-    is: says(value, "test-vector").join("; "),
+    is: says(value, "test-vector", directionOfR).join("; "),
     ...(value.kind === "quaternion" ? quaternionVector(value) : { numbers: numbersOf(value) }),
     ...from,
   };

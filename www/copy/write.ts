@@ -1,6 +1,6 @@
 // A value as code: its comment and its lines. Loaded when a copy first needs it.
 import { says } from "../words/copy.ts";
-import type { Copied } from "./copied.ts";
+import { type Copied, directionOfR } from "./copied.ts";
 import { eigen } from "./cpp.ts";
 import type { CodeFormat } from "./formats.ts";
 import { javascript, three } from "./javascript.ts";
@@ -31,7 +31,7 @@ export function written(value: Copied, format: CodeFormat, origin: Origin): stri
   if (format === "json") return json(value);
   if (format === "test-vector") return testVector(value, origin);
   const { comment } = writers[format];
-  const comments = says(value, format).map((line) => `${comment} ${line}`);
+  const comments = says(value, format, directionOfR).map((line) => `${comment} ${line}`);
   return [...comments, ...linesOf(value, format)].join("\n");
 }
 

@@ -48,7 +48,7 @@ export function ConventionColumn({
         convention={column.convention}
         value={values.quaternion}
         digits={digits}
-        edited={editedComponents(store, `${preset} components`, column.convention, "preset")}
+        edited={editedComponents(store, `${preset}-components`, column.convention, "preset")}
       />
       <div class="matrices">
         <Matrix
@@ -58,7 +58,7 @@ export function ConventionColumn({
           rows={column.matrix}
           value={values.matrix}
           digits={digits}
-          edited={editedMatrix(store, `${preset} matrix`, direction)}
+          edited={editedMatrix(store, `${preset}-matrix`, direction)}
         />
         <Matrix
           name={text.inverseOf(`${words.matrix}(q)`)}
@@ -73,7 +73,7 @@ export function ConventionColumn({
           rows={column.inverseMatrix}
           value={values.inverseMatrix}
           digits={digits}
-          edited={editedMatrix(store, `${preset} inverse matrix`, reversed(direction))}
+          edited={editedMatrix(store, `${preset}-inverse-matrix`, reversed(direction))}
         />
       </div>
       <div class="rows">

@@ -45,7 +45,7 @@ export function DeclaredCard({
             convention={declared.convention}
             value={values.quaternion}
             digits={digits}
-            edited={editedComponents(store, "declared components", declared.convention, "declared")}
+            edited={editedComponents(store, "declared-components", declared.convention, "declared")}
           />
           <div class="rows">
             <ArrayRow
@@ -65,7 +65,7 @@ export function DeclaredCard({
           rows={declared.matrix}
           value={values.matrix}
           digits={digits}
-          edited={editedMatrix(store, "declared matrix", rules.operator)}
+          edited={editedMatrix(store, "declared-matrix", rules.operator)}
         />
         <RulesList rules={rules} />
       </div>

@@ -33,7 +33,12 @@ function release() {
 /** Lets go where the text itself is edited, another one is opened, or the width changes. */
 export function releaseOnLeaving() {
   document.addEventListener("focusin", (event) => {
-    if (event.target instanceof Element && event.target.closest(".ask textarea")) release();
+    if (
+      event.target instanceof Element &&
+      event.target.closest(".ask")?.contains(event.target) &&
+      event.target.matches("textarea")
+    )
+      release();
   });
   addEventListener("hashchange", release);
   // The keyboard of a phone changes the height alone.

@@ -1,8 +1,7 @@
 // What copied code says of itself. It goes into source files: plain ASCII.
 import type { Copied, CopiedEuler, CopiedQuaternion } from "../copy/copied.ts";
-import { directionOfR } from "../copy/copied.ts";
 import type { CodeFormat } from "../copy/formats.ts";
-import type { ComponentOrder, Direction } from "../engine.ts";
+import type { ComponentOrder, Convention, Direction } from "../engine.ts";
 
 const letters: Record<ComponentOrder, string> = {
   "scalar-first": "w x y z",
@@ -68,7 +67,14 @@ const libraries: Partial<Record<CodeFormat, Library>> = {
 /** A norm that differs from 1 by more than rounding. */
 const roundingOfNorm = 1e-14;
 
-function quaternionSays(value: CopiedQuaternion, format: CodeFormat): string[] {
+/** Between which coordinates the matrix R of four numbers of a convention leads. */
+type DirectionOfR = (convention: Convention) => Direction;
+
+function quaternionSays(
+  value: CopiedQuaternion,
+  format: CodeFormat,
+  directionOfR: DirectionOfR,
+): string[] {
   const { components, convention, symbol } = value;
   const { handedness, function: does, direction, order } = convention;
   const library = libraries[format];
@@ -79,7 +85,7 @@ function quaternionSays(value: CopiedQuaternion, format: CodeFormat): string[] {
     library === undefined
       ? `${symbol}: ${name} (${productWords[handedness]}), ${letters[order]}, ${labels}`
       : `${symbol}: ${name} (${productWords[handedness]}), ${labels}; ${library.takes}`,
-    ...(library === undefined ? [] : libraryMatrix(value, library)),
+    ...(library === undefined ? [] : libraryMatrix(value, library, directionOfR)),
     ...(Math.abs(norm - 1) > roundingOfNorm
       ? [`its norm is ${Number.isFinite(norm) ? norm : "beyond a double"}, not 1`]
       : []),
@@ -87,7 +93,11 @@ function quaternionSays(value: CopiedQuaternion, format: CodeFormat): string[] {
 }
 
 /** What the library makes of the numbers, where that is not what the convention says anyway. */
-function libraryMatrix({ convention }: CopiedQuaternion, library: Library): string[] {
+function libraryMatrix(
+  { convention }: CopiedQuaternion,
+  library: Library,
+  directionOfR: DirectionOfR,
+): string[] {
   const direction = directionWords[directionOfR(convention)];
   if (convention.handedness === "left") {
     return [
@@ -113,10 +123,10 @@ const carries =
   "the turn carries the world axes onto the body axes; its matrix is R(q), body to world";
 
 /** What a value is, one sentence a line. */
-export function says(value: Copied, format: CodeFormat): string[] {
+export function says(value: Copied, format: CodeFormat, directionOfR: DirectionOfR): string[] {
   switch (value.kind) {
     case "quaternion":
-      return quaternionSays(value, format);
+      return quaternionSays(value, format, directionOfR);
     case "matrix":
       return [`${value.symbol}: ${value.does}`];
     case "vector":

@@ -2,8 +2,11 @@
 import { render } from "preact";
 import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
+import { showTheme } from "./settings.ts";
+import { startShortcuts } from "./shortcuts.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
+import "./view/comfort.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
@@ -20,6 +23,8 @@ loadEngine().then(
     root.replaceChildren();
     render(<Page store={store} />, root);
     keepAddress(store);
+    showTheme();
+    startShortcuts(store);
   },
   (error: unknown) => {
     root

@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import { fromFragment, opening, type PageState } from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
+import { rememberedNumbers } from "./settings.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
 export type Freshness = "current" | "old" | "opening";
@@ -15,7 +16,11 @@ export type Store = ReturnType<typeof createStore>;
 
 export function createStore(engine: Engine, fragment: string) {
   const known = new Set(engine.libraries.map(({ id }) => id));
-  const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
+  // A link gives the same page everywhere; a bare address shows numbers as they were last chosen.
+  const stateOf = (fragment: string): PageState => ({
+    ...fromFragment(fragment, (id) => known.has(id)),
+    ...(fragment.replace(/^#/, "") === "" && rememberedNumbers()),
+  });
   const state = signal<PageState>(stateOf(fragment));
 
   const outcome = computed(() => answer(state.value, engine));

@@ -10,7 +10,7 @@ import { ComponentStrip, Matrix } from "./Value.tsx";
 import { arrowOf, nameOf, presetLike, presetOf, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
@@ -26,12 +26,14 @@ export function Compose({ store }: { store: Store }) {
           {shownResult && (
             <div class="read-as">
               <p>
-                <var>p</var> <NamedComponents quaternion={shownResult.report.p} digits={digits} />
+                <var>p</var>{" "}
+                <NamedComponents quaternion={shownResult.report.p} digits={digits} unit={unit} />
               </p>
               <p>
-                <var>q</var> <NamedComponents quaternion={shownResult.report.q} digits={digits} />
+                <var>q</var>{" "}
+                <NamedComponents quaternion={shownResult.report.q} digits={digits} unit={unit} />
               </p>
-              <Notes notes={shownResult.report.notes} digits={digits} />
+              <Notes notes={shownResult.report.notes} digits={digits} unit={unit} />
             </div>
           )}
         </AskRest>

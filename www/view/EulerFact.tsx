@@ -1,9 +1,12 @@
 // The attitude as Euler angles in a sequence of one's choice.
-import { type Digits, eulerAxes, sequenceName } from "../address.ts";
+import { type Digits, eulerAxes, sequenceName, type Unit } from "../address.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
-import { exactArray, shownArray, shownDegrees } from "../format.ts";
+import { exactArray, fromDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Copy } from "./Copy.tsx";
+
+const otherUnit: Record<Unit, Unit> = { degrees: "radians", radians: "degrees" };
+const unitWords: Record<Unit, string> = { degrees: "°", radians: "rad" };
 
 const frames: Record<EulerFrame, string> = {
   intrinsic: "about the moving axes (intrinsic)",
@@ -28,7 +31,17 @@ export function EulerFact({
   store: Store;
   digits: Digits;
 }) {
-  const chosen = store.state.value.euler;
+  const { euler: chosen, unit } = store.state.value;
+  const angles = euler.anglesDeg.map((degrees, at) => ({
+    degrees,
+    radians: euler.anglesRad[at] ?? 0,
+  }));
+  const anglesIn = { degrees: euler.anglesDeg, radians: euler.anglesRad };
+  const other = otherUnit[unit];
+  const copied = {
+    degrees: { of: "Euler angles in degrees", text: exactArray(euler.anglesDeg) },
+    radians: { of: "Euler angles in radians", text: exactArray(euler.anglesRad) },
+  };
   const names = angleNames(euler.sequence);
   return (
     <div class="fact fact-euler">
@@ -63,35 +76,45 @@ export function EulerFact({
       </div>
       <div class="fact-value">
         <dl class="euler-angles">
-          {euler.anglesDeg.map((angle, at) => (
+          {angles.map((angle, at) => (
             <div key={names[at]}>
               <dt>{names[at]}</dt>
               <dd>
-                <code>{shownDegrees(angle, digits)}</code>
+                <code>{shownAngle(angle, digits, unit)}</code>
               </dd>
             </div>
           ))}
         </dl>
-        <Copy of="Euler angles in degrees" text={exactArray(euler.anglesDeg)} />
+        <Copy {...copied[unit]} />
       </div>
       <p>
-        <code>{shownArray(euler.anglesRad, digits)}</code> rad
-        <Copy of="Euler angles in radians" text={exactArray(euler.anglesRad)} />
+        <code>{shownArray(anglesIn[other], digits)}</code> {unitWords[other]}
+        <Copy {...copied[other]} />
       </p>
-      <GimbalLock euler={euler} names={names} digits={digits} />
+      <GimbalLock euler={euler} names={names} digits={digits} unit={unit} />
     </div>
   );
 }
 
-function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; digits: Digits }) {
+function GimbalLock({
+  euler,
+  names,
+  digits,
+  unit,
+}: {
+  euler: Euler;
+  names: string[];
+  digits: Digits;
+  unit: Unit;
+}) {
   const lock = euler.gimbalLock;
   if (lock === undefined) return null;
   const sign = lock.survivor === "sum" ? "+" : "−";
   return (
     <p class="gimbal-lock">
       <strong>Gimbal lock</strong>: the outer axes are one line, and only {names[0]} {sign}{" "}
-      {names[2]} = <code>{shownDegrees(lock.survivorDeg, digits)}</code> is determined;{" "}
-      {names[lock.lost]} is set to 0.
+      {names[2]} = <code>{shownAngle(fromDegrees(lock.survivorDeg), digits, unit)}</code> is
+      determined; {names[lock.lost]} is set to 0.
     </p>
   );
 }

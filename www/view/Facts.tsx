@@ -1,13 +1,14 @@
 // What no convention changes: the turn itself.
 import type { ReadReport } from "../engine.ts";
-import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { exact, exactArray, shownAngle, shownArray, shownAxis } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
 
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
+  const angle = { degrees: angleDeg, radians: angleRad };
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label="The turn, in every convention the same">
@@ -16,15 +17,15 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <p class="fact-value">
           <code>
             {axis === undefined ? "no turn, no axis" : shownAxis(axis, digits)}
-            {axis !== undefined && `, ${shownDegrees(angleDeg, digits)}`}
+            {axis !== undefined && `, ${shownAngle(angle, digits, unit)}`}
           </code>
           {axis !== undefined && (
             <Copy of="axis and angle in radians" text={`${exactArray(axis)}, ${exact(angleRad)}`} />
           )}
         </p>
         <p>
-          <code>{shown(angleRad, digits)}</code> rad. Carries the world axes onto the body axes,
-          right-handed.
+          <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>.
+          Carries the world axes onto the body axes, right-handed.
         </p>
       </div>
       <div class="fact">

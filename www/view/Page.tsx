@@ -1,12 +1,14 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-import { type Digits, toFragment, type View } from "../address.ts";
-import { shown, shownAxis, shownDegrees } from "../format.ts";
+import { type Digits, toFragment, type Unit, type View } from "../address.ts";
+import { shown, shownAngle, shownAxis } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
 import { Identify, spokenIdentity } from "./Identify.tsx";
 import { Libraries, spokenLibraries } from "./Libraries.tsx";
+import { Overlay } from "./Overlay.tsx";
 import { Read } from "./Read.tsx";
+import { Tools } from "./Settings.tsx";
 import { spokenTranslation, Translate } from "./Translate.tsx";
 import { namesInOrder } from "./Value.tsx";
 import { nameOf, symbolOf } from "./words.ts";
@@ -38,6 +40,7 @@ export function Page({ store }: { store: Store }) {
             </a>
           ))}
         </nav>
+        <Tools />
       </header>
       <main>
         {failure !== undefined && (
@@ -58,13 +61,14 @@ export function Page({ store }: { store: Store }) {
       <p class="visually-hidden" role="status" aria-live="polite">
         {spoken(store)}
       </p>
+      <Overlay store={store} />
     </>
   );
 }
 
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
-  const { view, digits } = store.state.value;
+  const { view, digits, unit } = store.state.value;
   const problems = store.problems.value.map(
     ({ field, message, expected, hint }) =>
       `Problem in ${symbolOf[field]}: ${message}. Expected ${expected}. Try ${hint}.`,
@@ -72,7 +76,7 @@ function spoken(store: Store): string {
   if (problems.length > 0) return problems.join(" ");
   switch (view) {
     case "read":
-      return spokenTurn(store, digits);
+      return spokenTurn(store, digits, unit);
     case "compose":
       return spokenProduct(store, digits);
     case "translate":
@@ -95,9 +99,10 @@ function spokenProduct(store: Store, digits: Digits): string {
   return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
 }
 
-function spokenTurn(store: Store, digits: Digits): string {
+function spokenTurn(store: Store, digits: Digits, unit: Unit): string {
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";
   if (turn.axis === undefined) return "Result: no turn.";
-  return `Result: a turn by ${shownDegrees(turn.angleDeg, digits)} about ${shownAxis(turn.axis, digits)}.`;
+  const angle = { degrees: turn.angleDeg, radians: turn.angleRad };
+  return `Result: a turn by ${shownAngle(angle, digits, unit)} about ${shownAxis(turn.axis, digits)}.`;
 }

@@ -4,12 +4,13 @@ import { inverseAxes } from "../axis_texts.ts";
 import type { TranslateReport } from "../engine.ts";
 import { exact, shown } from "../format.ts";
 import type { Store } from "../state.ts";
-import { AskStatus, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, TextField } from "./Ask.tsx";
 import { AxesChoice } from "./AxesChoice.tsx";
 import { EndChoice } from "./EndChoice.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { accentOf, endName, libraryWith } from "./library_words.ts";
 import { Notes } from "./Notes.tsx";
+import { NumberSettings } from "./Settings.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { changeWords, Why } from "./TranslationWhy.tsx";
@@ -24,7 +25,7 @@ export function Translate({ store }: { store: Store }) {
       <section class="ask" aria-label="Input">
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
-          <DigitsSwitch store={store} />
+          <NumberSettings store={store} />
         </div>
         <div class="ends">
           <EndChoice store={store} side="from" />
@@ -147,12 +148,12 @@ function Examples({ store }: { store: Store }) {
 }
 
 function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const proposed = libraryWith(store.engine, report.proposed);
   return (
     <div class="read-as">
       <p>
-        Read as <NamedComponents quaternion={report.quaternion} digits={digits} />
+        Read as <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
       </p>
       {proposed && (
         <p class="proposal">
@@ -166,7 +167,7 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
-      <Notes notes={report.notes} digits={digits} />
+      <Notes notes={report.notes} digits={digits} unit={unit} />
     </div>
   );
 }
@@ -218,7 +219,7 @@ function Result({
       </div>
       <div class="facts">
         <ProductCard report={report} names={names} store={store} />
-        <MistakesCard report={report} digits={digits} />
+        <MistakesCard report={report} digits={digits} unit={store.state.value.unit} />
       </div>
       {report.axes && <AxesCard axes={report.axes} digits={digits} />}
     </>

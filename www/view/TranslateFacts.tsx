@@ -1,5 +1,5 @@
 // What else a translation changes: the product, the mistakes, the axes.
-import { type Digits, toFragment } from "../address.ts";
+import { type Digits, toFragment, type Unit } from "../address.ts";
 import type {
   AxesReport,
   Direction,
@@ -9,7 +9,7 @@ import type {
   TranslatedEnd,
   TranslateReport,
 } from "../engine.ts";
-import { shownDegrees } from "../format.ts";
+import { fromDegrees, shownAngle } from "../format.ts";
 import type { Store } from "../state.ts";
 import { libraryWith, notEstablished } from "./library_words.ts";
 import type { EndNames } from "./Translate.tsx";
@@ -109,7 +109,15 @@ const swapped = (call: string) =>
   call.replace(/\b[ab](?=\b|0\b|vec\b)/g, (operand) => (operand === "a" ? "b" : "a"));
 
 /** The angle by which the attitude is wrong. */
-export function MistakesCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
+export function MistakesCard({
+  report,
+  digits,
+  unit,
+}: {
+  report: TranslateReport;
+  digits: Digits;
+  unit: Unit;
+}) {
   const mistakes = mistakesOf(report);
   return (
     <section class="fact mistakes" aria-labelledby="mistakes-name">
@@ -125,7 +133,7 @@ export function MistakesCard({ report, digits }: { report: TranslateReport; digi
             ) : (
               <>
                 <span class="mistake-angle">
-                  <code>{shownDegrees(angleDeg, digits)}</code> off
+                  <code>{shownAngle(fromDegrees(angleDeg), digits, unit)}</code> off
                 </span>
                 <span class="mistake-bar" aria-hidden="true">
                   <span style={{ width: `${(angleDeg / 180) * 100}%` }} />

@@ -12,6 +12,7 @@ import "./view/identify_answer.css";
 import "./view/libraries.css";
 import "./view/picker.css";
 import "./view/translate.css";
+import "./view/surroundings.css";
 import { Page } from "./view/Page.tsx";
 
 const root = document.getElementById("page");

@@ -1,5 +1,5 @@
 // Every example with what it teaches, each a link.
-import { toFragment, views } from "../address.ts";
+import { type PageState, toFragment, views } from "../address.ts";
 import { stateOf } from "../examples.ts";
 import { exampleNames, gallery } from "../gallery.ts";
 import type { Store } from "../state.ts";
@@ -23,7 +23,7 @@ export function Gallery({ store }: { store: Store }) {
           const [name, teaches] = exampleWords[example];
           return (
             <li key={example}>
-              <a href={`#${toFragment(stateOf(gallery[example], state))}`} onClick={leave}>
+              <a href={linkTo(stateOf(gallery[example], state))} onClick={leave}>
                 {name}
               </a>
               <p>{teaches}</p>
@@ -33,4 +33,9 @@ export function Gallery({ store }: { store: Store }) {
       </ul>
     </section>
   ));
+}
+
+/** In full: a short one, scrolled out of the dialog, would be taken for a link that skips content. */
+function linkTo(state: PageState): string {
+  return new URL(`#${toFragment(state)}`, location.href).href;
 }

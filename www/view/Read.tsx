@@ -56,12 +56,7 @@ function Examples({ store }: { store: Store }) {
           </li>
         ))}
       </ul>
-      <button
-        type="button"
-        class="quiet"
-        aria-haspopup="dialog"
-        onClick={() => showOverlay("gallery")}
-      >
+      <button type="button" aria-haspopup="dialog" onClick={() => showOverlay("gallery")}>
         {moreExamples}
       </button>
     </div>

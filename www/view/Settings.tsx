@@ -96,6 +96,7 @@ export function Tools() {
       <button type="button" class="tool" title={themeName} onClick={() => chooseTheme(nextTheme())}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d={themePaths[theme.value]} />
+          {theme.value === "system" && <path class="tool-full" d="M8 2 a6 6 0 0 0 0 12 z" />}
         </svg>
         <span class="visually-hidden">{themeName}</span>
       </button>
@@ -116,9 +117,9 @@ export function Tools() {
   );
 }
 
-/** A disc that is half full, a sun, a moon. */
+/** A disc, of which half is filled besides; a sun; a moon. */
 const themePaths: Record<Theme, string> = {
-  system: "M8 2 a6 6 0 0 0 0 12 z M8 2 a6 6 0 0 1 0 12",
+  system: "M8 2 a6 6 0 0 0 0 12 a6 6 0 0 0 0 -12 z",
   light:
     "M8 5 a3 3 0 0 1 0 6 a3 3 0 0 1 0 -6 z M8 1 v1.5 M8 13.5 v1.5 M1 8 h1.5 M13.5 8 h1.5 M3 3 l1.1 1.1 M11.9 11.9 l1.1 1.1 M13 3 l-1.1 1.1 M4.1 11.9 L3 13",
   dark: "M6.5 2 a6 6 0 1 0 7.5 7.5 a5 5 0 0 1 -7.5 -7.5 z",

@@ -271,3 +271,54 @@ for (const view of views) {
     expect(await violationsOf(page)).toEqual([]);
   });
 }
+
+test("on a phone no number is broken, a wide matrix shows that it goes on, a long name ends", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  await page.goto("/#translate?digits=all");
+  const numbers = page.locator(".translation-end dd");
+  await expect(numbers).toHaveCount(8);
+  const heights = await numbers.evaluateAll((all) => all.map((one) => one.clientHeight));
+  expect(new Set(heights).size).toBe(1);
+  expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
+
+  const scrolled = page.locator(".matrix-scroll").first();
+  expect(await scrolled.evaluate((node) => node.scrollWidth > node.clientWidth)).toBe(true);
+  expect(await scrolled.evaluate((node) => getComputedStyle(node).backgroundImage)).toMatch(
+    /gradient/,
+  );
+
+  await page.goto(`/#identify?name=${"aVeryLongName".repeat(20)}`);
+  const name = page.locator(".answer h2");
+  await expect(name).toBeVisible();
+  expect(await name.evaluate((node) => node.clientHeight)).toBeLessThan(70);
+});
+
+test("what only colours say is said by lines where colours are forced", async ({ page }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await page.goto("/");
+  const outline = (selector: string) =>
+    page.locator(selector).evaluate((node) => getComputedStyle(node).outlineStyle);
+  expect(await outline(".switch-choice.hamilton")).toBe("solid");
+  expect(await outline(".switch-choice.jpl")).toBe("none");
+  expect(await outline(".choice label:has([value=degrees])")).toBe("solid");
+  expect(await outline(".choice label:has([value=radians])")).toBe("none");
+  await page.goto("/#translate");
+  // A bar differs from the track under it.
+  const bar = page.locator(".mistake-bar").first();
+  const colour = (node: Element) => getComputedStyle(node).backgroundColor;
+  expect(await bar.locator("span").evaluate(colour)).not.toBe(await bar.evaluate(colour));
+});
+
+test("a print has the results and none of the tools", async ({ page }) => {
+  await page.goto("/");
+  await page.getByRole("button", { name: "Theme: as the system" }).click();
+  await page.emulateMedia({ media: "print" });
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  await expect(quaternionField(page)).toBeVisible();
+  for (const hidden of [".views", ".tools", ".examples", ".number-settings"]) {
+    await expect(page.locator(hidden)).toBeHidden();
+  }
+  expect(await paper(page)).toBe(light);
+});

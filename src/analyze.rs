@@ -135,6 +135,8 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
     Ok(ComposeReport {
         p: p.as_read(),
         q: q.as_read(),
+        p_turn: turn(&p.rotation),
+        q_turn: turn(&q.rotation),
         vector: coordinates(&vector),
         declared: composition.declared,
         products: composition.products,

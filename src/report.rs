@@ -75,6 +75,10 @@ pub struct ComposeReport {
     pub p: ReadQuaternion,
     /// The right operand as it was read.
     pub q: ReadQuaternion,
+    /// The turn of the body that p is, about axes that it leaves where they are.
+    pub p_turn: Turn,
+    /// The turn of the body that q is.
+    pub q_turn: Turn,
     /// The vector `x` as it was read.
     pub vector: [f64; 3],
     /// `p∘q` in the declared convention, whichever of the 32 it is.

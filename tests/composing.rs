@@ -2,10 +2,11 @@
 
 mod common;
 
-use common::{assert_close, compose, wasm_bindgen_test};
+use common::{all_conventions, assert_close, compose, read, wasm_bindgen_test};
+use nalgebra::{Rotation3, Vector3};
 use quatlas::{
     Convention, Direction, Fact, Frame, Handedness, Operand, OrderMatters, OutOfRangeNumber,
-    Product,
+    Product, Turn,
 };
 
 /// Four products and a sum, each rounded once, in numbers below 1.
@@ -172,5 +173,28 @@ fn the_declared_product_is_in_the_declared_convention() {
     for (preset, place) in [(Convention::HAMILTON, 0), (Convention::JPL, 2)] {
         let report = compose("1 2 3 4", "5 6 7 8", "1 0 0", preset);
         assert_eq!(report.declared, report.products[place]);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_two_turns_one_after_the_other_about_fixed_axes_make_the_product_in_every_convention() {
+    for convention in all_conventions() {
+        let report = compose("0.3 -0.5 0.7 0.2", "0.6 0.2 -0.1 0.4", "1 0 0", convention);
+        let product = &report.declared;
+        let text = product.quaternion.array.map(|number| number.to_string());
+        let together = read(&text.join(" "), "1 0 0", product.convention).turn;
+        let rotation = |turn: &Turn| {
+            Rotation3::from_scaled_axis(Vector3::from(turn.rotation_vector_rad)).into_inner()
+        };
+        let (first, then) = match product.first_about_fixed_axes {
+            Operand::P => (&report.p_turn, &report.q_turn),
+            Operand::Q => (&report.q_turn, &report.p_turn),
+        };
+        assert_close(
+            "then · first",
+            (rotation(then) * rotation(first)).as_slice(),
+            rotation(&together).as_slice(),
+            1e-14,
+        );
     }
 }

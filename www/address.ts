@@ -1,5 +1,6 @@
 // The address is the state: everything typed and chosen, in the fragment.
 import { axes, axisValues, endFromText, endToText, type IsLibrary } from "./address_ends.ts";
+import { firstPicture, type PictureState, pictureFrom, pictureToTexts } from "./address_picture.ts";
 import { mostObservations, probeFromText, probeKinds, probeToText } from "./address_probes.ts";
 import type {
   Convention,
@@ -56,6 +57,8 @@ export interface PageState {
   language: Language;
   /** The kinds of probes that cannot be run. */
   unavailable: readonly ProbeKind[];
+  /** How the picture is shown. */
+  picture: PictureState;
   /** What the table of libraries is searched for. */
   find: string;
   /** The id of the opened record of the table; empty where none is open. */
@@ -97,6 +100,7 @@ export const opening: PageState = {
   libraryName: "X",
   language: "python",
   unavailable: [],
+  picture: firstPicture,
   find: "",
   library: "",
 };
@@ -161,6 +165,7 @@ export function toFragment(state: PageState): string {
     const text = endToText(state[end]);
     if (text !== endToText(opening[end])) parameters.set(end, text);
   }
+  for (const [name, text] of pictureToTexts(state.picture)) parameters.set(name, text);
   for (const probe of probesToTexts(state.observations)) parameters.append("probe", probe);
   if (state.language !== opening.language) parameters.set("language", state.language);
   if (state.unavailable.length > 0) parameters.set("unavailable", state.unavailable.join(","));
@@ -197,6 +202,7 @@ export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true
     from: endFromText(parameters.get("from"), isLibrary) ?? opening.from,
     to: endFromText(parameters.get("to"), isLibrary) ?? opening.to,
     observations: probesFrom(parameters),
+    picture: pictureFrom(parameters),
     language: oneOf(languages, parameters.get("language")) ?? opening.language,
     unavailable: probeKinds.filter((kind) =>
       parameters.get("unavailable")?.split(",").includes(kind),

@@ -107,12 +107,10 @@ export function shownAngle(angle: Angle, digits: Digits, unit: Unit): string {
   return unit === "degrees" ? `${number}°` : `${number}\u00a0rad`;
 }
 
-const roughDigits = 3;
-
-/** `53.1°` or `0.927 rad`: how far apart two rotations are. */
-export function shownRoughAngle(degrees: number, unit: Unit): string {
+/** `53.1°` or `0.927 rad`: an angle in a sentence, of which few digits matter. */
+export function shownRoughAngle(degrees: number, unit: Unit, significantDigits = 3): string {
   const angle = fromDegrees(degrees);
-  const rough = Number(angle[unit].toPrecision(roughDigits));
+  const rough = Number(angle[unit].toPrecision(significantDigits));
   return shownAngle({ ...angle, [unit]: rough }, "all", unit);
 }
 

@@ -23,7 +23,12 @@ export function createStore(engine: Engine, fragment: string) {
   });
   const state = signal<PageState>(stateOf(fragment));
 
-  const outcome = computed(() => answer(state.value, engine));
+  // As text, so that what asks nothing of the core, such as the look of the picture, runs nothing.
+  const asked = computed(() => JSON.stringify(requestOf(state.value, engine)));
+  const outcome = computed(() => {
+    asked.value;
+    return answer(state.peek(), engine);
+  });
 
   const problems = computed<Problem[]>(() =>
     outcome.value?.status === "problems" ? outcome.value.problems : [],

@@ -1,9 +1,10 @@
 // The pure functions of the page: the address and the number formats.
 import { expect, test } from "@playwright/test";
 import { fromFragment, opening, type PageState, toFragment } from "../../www/address.ts";
-import { axisPresets, axisPresetWords, inverseAxes } from "../../www/axis_texts.ts";
+import { axisPresets, inverseAxes } from "../../www/axis_texts.ts";
 import type { AxisMapping } from "../../www/engine.ts";
 import { alignedRows, exactArray, shown, shownArray, shownAxis } from "../../www/format.ts";
+import { axisPresetWords } from "../../www/words/axes_choice.tsx";
 
 const jpl = {
   order: "scalar-last",

@@ -2,7 +2,9 @@
 import { type Axis, axes, axisValues } from "../address.ts";
 import type { Convention, MatrixConvention } from "../engine.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { arrowOf, axisWords, fiveWords, nameOf, operatorOf, valueWords } from "./words.ts";
+import { axisWords } from "../words/conventions.ts";
+import * as words from "../words/more.tsx";
+import { fiveWords, nameOf, operatorOf, valueWords } from "./conventions.ts";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;
@@ -19,11 +21,11 @@ export function MoreAxes({ store }: { store: Store }) {
   return (
     <details class="more">
       <summary>
-        More{" "}
+        {words.more}{" "}
         <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
       </summary>
       <div class="more-panel">
-        <p>What four typed numbers mean is five choices, each by itself.</p>
+        <p>{words.five}</p>
         <div class="axis-choices">
           {axes.map((axis) => (
             <Choice
@@ -35,21 +37,14 @@ export function MoreAxes({ store }: { store: Store }) {
             />
           ))}
         </div>
-        <p>
-          Nine typed numbers are a matrix, row by row, with a function and a direction of its own:{" "}
-          <strong>{arrowOf(operatorOf(state.matrix))}</strong>, its columns are the{" "}
-          {operatorOf(state.matrix) === "body-to-world"
-            ? "body axes in the world"
-            : "world axes in the body"}
-          .
-        </p>
+        <p>{words.matrix(operatorOf(state.matrix))}</p>
         <div class="axis-choices">
           {(["function", "direction"] as const).map((axis) => (
             <Choice
               key={axis}
               axis={axis}
               group={`matrix-${axis}`}
-              of="of the matrix"
+              of={words.ofMatrix}
               chosen={state.matrix[axis]}
               choose={(value) => setMatrix(axis, value)}
             />

@@ -1,7 +1,8 @@
 // The optional step of a translation: new names for the axes of the world and of the body.
 import { useEffect, useState } from "preact/hooks";
-import { axisPresets, axisPresetWords } from "../axis_texts.ts";
+import { axisPresets } from "../axis_texts.ts";
 import type { Store } from "../state.ts";
+import * as words from "../words/axes_choice.tsx";
 import { TextField } from "./Ask.tsx";
 
 const sides = [
@@ -20,38 +21,34 @@ export function AxesChoice({ store }: { store: Store }) {
   return (
     <details class="more" open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        Axes <span class="more-now">{summaryOf(worldAxes, bodyAxes)}</span>
+        {words.title} <span class="more-now">{words.summary(worldAxes, bodyAxes)}</span>
       </summary>
       <div class="more-panel">
-        <p>
-          A step of its own, whatever the libraries: the same attitude between axes that point
-          elsewhere. Say the new axes in terms of the old, as <code>y x -z</code>, or name two
-          systems, as <code>NED to ENU</code>.
-        </p>
+        <p>{words.lead}</p>
         <div class="axes-sides">
           {sides.map(({ name, field, side, other, otherSide }) => (
-            <fieldset key={name} class="axes-side" aria-label={`Axes of the ${side}`}>
+            <fieldset key={name} class="axes-side" aria-label={words.side[side]}>
               <div class="axes-side-head">
-                <p class="axes-side-name">Axes of the {side}</p>
+                <p class="axes-side-name">{words.side[side]}</p>
                 <button
                   type="button"
                   class="quiet"
                   disabled={state[name] === state[other]}
                   onClick={() => store.set({ [other]: state[name] })}
                 >
-                  Same for the {otherSide}
+                  {words.sameFor[otherSide]}
                 </button>
               </div>
-              <TextField store={store} field={field} name={name} label={`axes of the ${side}`} />
+              <TextField store={store} field={field} name={name} label={words.field[side]} />
               <select
-                aria-label={`Named axes of the ${side}`}
+                aria-label={words.named[side]}
                 value={axisPresets.find((preset) => preset === state[name]) ?? ""}
                 onChange={(event) => store.set({ [name]: event.currentTarget.value })}
               >
-                <option value="">{state[name] === "" ? "stay as they are" : "none"}</option>
+                <option value="">{state[name] === "" ? words.keep : words.none}</option>
                 {axisPresets.map((preset) => (
                   <option key={preset} value={preset}>
-                    {preset}: {axisPresetWords[preset]}
+                    {words.preset(preset)}
                   </option>
                 ))}
               </select>
@@ -64,15 +61,10 @@ export function AxesChoice({ store }: { store: Store }) {
             class="quiet"
             onClick={() => store.set({ worldAxes: "", bodyAxes: "" })}
           >
-            Leave all axes as they are
+            {words.keepAll}
           </button>
         )}
       </div>
     </details>
   );
-}
-
-function summaryOf(world: string, body: string): string {
-  if (world === "" && body === "") return "stay as they are";
-  return `world ${world || "as it is"}, body ${body || "as it is"}`;
 }

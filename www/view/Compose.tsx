@@ -3,18 +3,21 @@ import type { Digits } from "../address.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../engine.ts";
 import { shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
+import * as words from "../words/compose.tsx";
+import { arrowOf, wordsOf } from "../words/conventions.ts";
 import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
+import { nameOf, presetLike, presetOf } from "./conventions.ts";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
+import { Picture } from "./Picture.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
-import { arrowOf, nameOf, presetLike, presetOf, wordsOf } from "./words.ts";
 
 export function Compose({ store }: { store: Store }) {
   const { digits, unit } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
-      <section class="ask" aria-label="Input">
+      <section class="ask" aria-label={words.input}>
         <div class="ask-row">
           <div class="ask-pair">
             <TextField store={store} field="p" />
@@ -68,11 +71,12 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
   return (
     <>
       <Road report={report} engine={store.engine} digits={digits} />
+      <Picture store={store} of="compose" />
       {pairs.map(({ hamilton, jpl }) => (
         <section
           key={hamilton.left}
           class="pair"
-          aria-label={`${spelled(hamilton)} equals ${spelled(jpl)}`}
+          aria-label={words.equals(spelled(hamilton), spelled(jpl))}
         >
           <h2 class="tie">
             <span class="hamilton">
@@ -82,7 +86,7 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
             <span class="jpl">
               <Formula product={jpl} />
             </span>
-            <span class="tie-words">the same numbers, transposed matrices</span>
+            <span class="tie-words">{words.tie}</span>
           </h2>
           <div class="columns">
             <ProductCard product={hamilton} digits={digits} />
@@ -96,6 +100,11 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
 
 function spelled({ left, right, convention }: Product): string {
   return `${left} ${signOf[convention.handedness]} ${right}`;
+}
+
+/** The letters of the frames on the way of a vector. */
+function framesOf({ frames: [start, middle, end] }: Product): [string, string, string] {
+  return [letterOf[start], letterOf[middle], letterOf[end]];
 }
 
 function Formula({ product }: { product: Product }) {
@@ -117,20 +126,21 @@ function Road({
   digits: Digits;
 }) {
   const product = report.declared;
-  const [start, middle, end] = product.frames.map((frame) => letterOf[frame]);
+  const [start, middle, end] = framesOf(product);
   const preset = presetLike(product.convention, engine);
   const name = preset ? wordsOf[preset].name : nameOf(product.convention, engine);
   const [afterRight, afterBoth] = product.images ?? [];
+  const right = <var>{product.right}</var>;
+  const left = <var>{product.left}</var>;
   return (
     <section class={`card road ${preset ?? "custom"}`} aria-labelledby="road-name">
       <h2 id="road-name">
-        <Formula product={product} />: first <var>{product.right}</var>, then{" "}
-        <var>{product.left}</var>
+        <Formula product={product} />: {words.firstThen(right, left)}
       </h2>
       {preset === undefined && (
         <ComponentStrip
           symbol={spelled(product)}
-          name={`${spelled(product)} as declared`}
+          name={words.declared(spelled(product))}
           components={product.quaternion}
           convention={product.convention}
           digits={digits}
@@ -138,28 +148,25 @@ function Road({
       )}
       <ol class="road-steps">
         <li>
-          <span class="road-frame">
-            <var>x</var> on the axes of {start}
-          </span>
+          <span class="road-frame">{words.onAxes(<var>x</var>, start)}</span>
           <code>{shownArray(report.vector, digits)}</code>
         </li>
         <li>
-          <span class="road-frame">
-            after <var>{product.right}</var>, on the axes of {middle}
-          </span>
-          <code>{afterRight ? shownArray(afterRight, digits) : "beyond a double"}</code>
+          <span class="road-frame">{words.afterOnAxes(right, middle)}</span>
+          <code>{afterRight ? shownArray(afterRight, digits) : words.beyond}</code>
         </li>
         <li>
-          <span class="road-frame">
-            after <var>{product.left}</var>, on the axes of {end}
-          </span>
-          <code>{afterBoth ? shownArray(afterBoth, digits) : "beyond a double"}</code>
+          <span class="road-frame">{words.afterOnAxes(left, end)}</span>
+          <code>{afterBoth ? shownArray(afterBoth, digits) : words.beyond}</code>
         </li>
       </ol>
       <p>
-        In {name ?? "your convention"}, {arrowOf(product.direction)}, <var>{product.right}</var>{" "}
-        leads from {start} to {middle} and <var>{product.left}</var> from {middle} to {end}: they
-        meet in {middle}. W is the world, B the body, B′ a second body mounted on B.
+        {words.meet(
+          name ?? words.yours,
+          arrowOf(product.direction),
+          [right, left],
+          [start, middle, end],
+        )}
       </p>
       <OrderWords report={report} />
     </section>
@@ -171,56 +178,44 @@ function OrderWords({ report }: { report: ComposeReport }) {
     case "yes":
       return null;
     case "no":
-      return (
-        <p class="order-words">
-          These two commute: all four products are the same quaternion, so they cannot show which
-          order a program uses.
-        </p>
-      );
+      return <p class="order-words">{words.commute}</p>;
     case "only-in-sign":
-      return (
-        <p class="order-words">
-          Swapped, these two give −1 times the same quaternion: the same rotation, so they cannot
-          show which order a program uses.
-        </p>
-      );
+      return <p class="order-words">{words.anticommute}</p>;
   }
 }
 
 function ProductCard({ product, digits }: { product: Product; digits: Digits }) {
   const preset = presetOf[product.convention.handedness];
-  const words = wordsOf[preset];
-  const [start, middle, end] = product.frames.map((frame) => letterOf[frame]);
+  const own = wordsOf[preset];
+  const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
   return (
-    <section class={`card column ${preset}`} aria-label={`${words.name}: ${spelled(product)}`}>
+    <section class={`card column ${preset}`} aria-label={`${own.name}: ${spelled(product)}`}>
       <header>
         <h3>
-          {words.name} <Formula product={product} />
+          {own.name} <Formula product={product} />
         </h3>
         <p class="axes">
           <span>
             {start} → {middle} → {end}
           </span>{" "}
-          <span>
-            first <var>{product.right}</var>, then <var>{product.left}</var>
-          </span>
+          <span>{words.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)}</span>
         </p>
       </header>
       <ComponentStrip
         symbol={spelled(product)}
-        name={`${words.name} ${spelled(product)}`}
+        name={`${own.name} ${spelled(product)}`}
         components={product.quaternion}
         convention={product.convention}
         digits={digits}
       />
       <div class="matrices">
         <Matrix
-          name={`${words.matrix}(${spelled(product)})`}
+          name={`${own.matrix}(${spelled(product)})`}
           symbol={
             <>
-              <var>{words.matrix}</var>(<Formula product={product} />) = <var>{words.matrix}</var>(
-              <var>{product.left}</var>) <var>{words.matrix}</var>(<var>{product.right}</var>)
+              <var>{own.matrix}</var>(<Formula product={product} />) = <var>{own.matrix}</var>(
+              <var>{product.left}</var>) <var>{own.matrix}</var>(<var>{product.right}</var>)
             </>
           }
           caption={`${start} → ${end}`}
@@ -228,11 +223,7 @@ function ProductCard({ product, digits }: { product: Product; digits: Digits }) 
           digits={digits}
         />
       </div>
-      <p class="turns">
-        As turns of the body: about the fixed axes first <var>{first}</var>, then{" "}
-        <var>{otherOf[first]}</var>; about the moving axes first <var>{otherOf[first]}</var>, then{" "}
-        <var>{first}</var>.
-      </p>
+      <p class="turns">{words.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}</p>
     </section>
   );
 }

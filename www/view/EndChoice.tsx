@@ -4,10 +4,13 @@ import { useId, useState } from "preact/hooks";
 import { type Axis, axes, axisValues, toFragment } from "../address.ts";
 import type { ComponentOrder, Convention, Direction, Endpoint, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
+import { arrowOf, lettersOf } from "../words/conventions.ts";
+import { knownWords } from "../words/library_behaviour.ts";
+import * as words from "../words/translate_ends.ts";
 import { Choice } from "./Axes.tsx";
+import { fiveWords } from "./conventions.ts";
 import { type Convened, LibraryPicker } from "./LibraryPicker.tsx";
-import { knownWords, libraryWith, ordersOf } from "./library_words.ts";
-import { arrowOf, fiveWords, lettersOf } from "./words.ts";
+import { libraryWith, ordersOf } from "./library.ts";
 
 type LibraryEnd = Extract<Endpoint, { kind: "library" }>;
 
@@ -28,10 +31,10 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
     set({ kind: "convention", convention });
   };
   return (
-    <fieldset class="end" aria-label={side === "from" ? "From" : "To"}>
+    <fieldset class="end" aria-label={words.side[side]}>
       <LibraryPicker
         engine={engine}
-        label={side === "from" ? "From" : "To"}
+        label={words.side[side]}
         end={end}
         choose={(id) => set({ kind: "library", id })}
         convene={convene}
@@ -43,7 +46,7 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
             <a
               href={`#${toFragment({ ...store.state.value, view: "libraries", library: library.id, find: "" })}`}
             >
-              its record
+              {words.record}
             </a>
           </p>
           <div class="end-choices">
@@ -93,12 +96,12 @@ function DirectionChoice({
   if (usual === undefined) return null;
   const reason = (direction: Direction): string | undefined => {
     if (direction !== usual.direction) return undefined;
-    if (library.direction !== undefined) return "documented";
-    return usual.assumed.includes("action") ? "assumed" : "customary";
+    if (library.direction !== undefined) return words.documented;
+    return usual.assumed.includes("action") ? words.assumed : words.customary;
   };
   return (
     <Segments
-      legend={`Its ${usual.action}(q) takes`}
+      legend={words.takes(usual.action)}
       choices={axisValues.direction.map((direction) => ({
         value: direction,
         word: arrowOf(direction),
@@ -126,13 +129,13 @@ function OrderChoice({
   if (orders.length === 1 && (end.order === undefined || end.order === orders[0])) return null;
   const usual = orders[0] ?? "scalar-last";
   const reason = (order: string): string | undefined => {
-    if (orders.length === 0) return order === usual ? "assumed" : undefined;
-    if (order === library.arrayOrder) return "its array";
-    return order === library.constructorOrder ? "its constructor" : undefined;
+    if (orders.length === 0) return order === usual ? words.assumed : undefined;
+    if (order === library.arrayOrder) return words.ofArray;
+    return order === library.constructorOrder ? words.ofConstructor : undefined;
   };
   return (
     <Segments
-      legend="Its numbers stand as"
+      legend={words.order}
       choices={(["scalar-last", "scalar-first"] as const).map((order) => ({
         value: order,
         word: lettersOf[order],
@@ -194,7 +197,7 @@ function FiveAxes({
   return (
     <details class="end-five" open={isOpen}>
       <summary>
-        The five axes <span class="more-now">{fiveWords(convention)}</span>
+        {words.five} <span class="more-now">{fiveWords(convention)}</span>
       </summary>
       <div class="axis-choices">
         {axes.map((axis: Axis) => (

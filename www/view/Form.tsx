@@ -2,8 +2,10 @@
 import { type Digits, sequenceName, type Unit } from "../address.ts";
 import type { ReadQuaternion } from "../engine.ts";
 import { fromRadians, shown, shownAngle, shownArray, shownAxis } from "../format.ts";
+import { arrowOf } from "../words/conventions.ts";
+import * as words from "../words/form.tsx";
+import { operatorOf } from "./conventions.ts";
 import { namesInOrder } from "./Value.tsx";
-import { arrowOf, operatorOf } from "./words.ts";
 
 /** `Euler angles ZYX 30°, 20°, 10°` and the like; nothing for a quaternion, whose numbers follow. */
 export function FormWords({
@@ -21,29 +23,22 @@ export function FormWords({
     case "quaternion":
       return null;
     case "axis-angle":
-      return (
-        <>
-          <code>{angle(form.angleRad)}</code> about <code>{shownAxis(form.axis, digits)}</code>:{" "}
-        </>
+      return words.axisAngle(
+        <code>{angle(form.angleRad)}</code>,
+        <code>{shownAxis(form.axis, digits)}</code>,
       );
     case "rotation-vector":
-      return (
-        <>
-          a rotation vector <code>{shownArray(form.vectorRad, digits)}</code> rad:{" "}
-        </>
-      );
+      return words.rotationVector(<code>{shownArray(form.vectorRad, digits)}</code>);
     case "euler-angles": {
       const { sequence, anglesRad } = form;
-      const moving = sequence.frame === "intrinsic" ? "moving" : "fixed";
-      return (
-        <>
-          Euler angles {sequenceName(sequence)}, about the {moving} axes,{" "}
-          <code>{anglesRad.map(angle).join(", ")}</code>:{" "}
-        </>
+      return words.euler(
+        sequenceName(sequence),
+        sequence.frame,
+        <code>{anglesRad.map(angle).join(", ")}</code>,
       );
     }
     case "matrix":
-      return <>a matrix, {arrowOf(operatorOf(form.convention))}: </>;
+      return <>{words.matrix(arrowOf(operatorOf(form.convention)))}</>;
   }
 }
 

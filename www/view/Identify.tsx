@@ -3,20 +3,22 @@ import { useMemo } from "preact/hooks";
 import { opening, type PageState, toFragment } from "../address.ts";
 import type { Probe } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { AnswerCard, answerId, behavioursLeft } from "./IdentifyAnswer.tsx";
+import * as words from "../words/identify.tsx";
+import { left } from "../words/identify_answer.tsx";
+import { familyWords, languageNames } from "../words/library_behaviour.ts";
+import { AnswerCard, answerId } from "./IdentifyAnswer.tsx";
 import { MatchingLibraries } from "./IdentifyLibraries.tsx";
 import { Meaning } from "./IdentifyMeaning.tsx";
 import { printedId } from "./IdentifyObservation.tsx";
 import { Sheet } from "./IdentifySheet.tsx";
 import { keptAnswer } from "./identify_answer.ts";
-import { choiceWords, codeLanguages, listed, settledFamily } from "./identify_words.ts";
-import { familyWords, languageNames } from "./library_words.ts";
+import { codeLanguages, settledFamily } from "./identify_choices.ts";
 
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);
   const answer = kept.value;
-  if (answer === undefined) return <p class="left">No answer yet.</p>;
-  const name = store.state.value.libraryName.trim() || "The library";
+  if (answer === undefined) return <p class="left">{words.none}</p>;
+  const name = store.state.value.libraryName.trim() || words.unnamed;
   const { shown, age } = answer;
   const family = settledFamily(shown.remaining);
   return (
@@ -33,7 +35,7 @@ export function Identify({ store }: { store: Store }) {
       <p class="progress">
         <span>
           {family && <strong>{familyWords[family][0]}. </strong>}
-          {behavioursLeft(shown.possible)}
+          {left(shown.possible)}
         </span>
         <button
           type="button"
@@ -43,7 +45,7 @@ export function Identify({ store }: { store: Store }) {
             document.getElementById(answerId)?.focus();
           }}
         >
-          See the answer
+          {words.seeAnswer}
         </button>
       </p>
     </>
@@ -70,14 +72,16 @@ const matrix = (printed: string): Probe => ({
   layout: "as-written",
 });
 
-/** What libraries print, one example of each surprise. */
-const examples: { name: string; change: Pick<PageState, "observations" | "libraryName"> }[] = [
+const examples: {
+  name: keyof typeof words.exampleNames;
+  change: Pick<PageState, "observations" | "libraryName">;
+}[] = [
   {
-    name: "ij = −k and yet not JPL",
+    name: "not-jpl",
     change: { observations: opening.observations, libraryName: opening.libraryName },
   },
   {
-    name: "Hamilton, stored x y z w",
+    name: "stored",
     change: {
       observations: [
         product("[1. 0. 0. 0.]"),
@@ -88,7 +92,7 @@ const examples: { name: string; change: Pick<PageState, "observations" | "librar
     },
   },
   {
-    name: "Rounded, and −q",
+    name: "rounded",
     change: {
       observations: [
         product("0 0 0 1"),
@@ -99,7 +103,7 @@ const examples: { name: string; change: Pick<PageState, "observations" | "librar
     },
   },
   {
-    name: "A contradiction",
+    name: "contradiction",
     change: {
       observations: [
         product("0 0 0 1"),
@@ -124,12 +128,9 @@ function Ask({ store }: { store: Store }) {
   const empty = { observations: [], libraryName: "", unavailable: [] };
   const chosen = state.language === "message" ? "python" : state.language;
   return (
-    <section class="ask identify-ask" aria-label="Input">
+    <section class="ask identify-ask" aria-label={words.input}>
       <div class="ask-row">
-        <p class="identify-lead">
-          Which convention does this library use? Three short lines of code are usually enough to
-          tell.
-        </p>
+        <p class="identify-lead">{words.lead}</p>
         <button
           type="button"
           class="start"
@@ -138,12 +139,12 @@ function Ask({ store }: { store: Store }) {
             requestAnimationFrame(() => document.getElementById(printedId(0))?.focus());
           }}
         >
-          Start with an empty sheet
+          {words.start}
         </button>
       </div>
       <div class="ask-row">
         <label class="plain-field">
-          Library
+          {words.library}
           <input
             type="text"
             value={state.libraryName}
@@ -153,7 +154,7 @@ function Ask({ store }: { store: Store }) {
           />
         </label>
         <label class="plain-field">
-          Code in
+          {words.code}
           <select
             value={chosen}
             onChange={(event) => {
@@ -169,7 +170,7 @@ function Ask({ store }: { store: Store }) {
           </select>
         </label>
         <div class="examples">
-          <span id="identify-examples">Examples</span>
+          <span id="identify-examples">{words.examples}</span>
           <ul aria-labelledby="identify-examples">
             {examples.map(({ name, change }) => {
               const there = { ...change, unavailable: [] };
@@ -179,7 +180,7 @@ function Ask({ store }: { store: Store }) {
                     href={`#${toFragment({ ...state, ...there })}`}
                     aria-current={isEqual(state, there) ? "true" : undefined}
                   >
-                    {name}
+                    {words.exampleNames[name]}
                   </a>
                 </li>
               );
@@ -197,19 +198,14 @@ export function spokenIdentity(store: Store): string {
   if (report === undefined) return "";
   const problems = report.observations.flatMap((observation, at) => {
     if (observation.status === "unexplained") {
-      return [`Observation ${at + 1}: no behaviour prints this.`];
+      return [words.spokenUnexplained(at)];
     }
     if (observation.status !== "problem") return [];
-    const { message, expected, hint } = observation.problem;
-    return [`Problem in observation ${at + 1}: ${message}. Expected ${expected}. Try ${hint}.`];
+    return [words.spokenProblem(at, observation.problem)];
   });
   if (problems.length > 0) return problems.join(" ");
   const { contradiction, possible, sentence } = report;
-  if (contradiction) {
-    const numbers = contradiction.observations.map((at) => String(at + 1));
-    const about = contradiction.about.map((choice) => choiceWords[choice].about);
-    const disagree = about.length > 0 ? ` They disagree about ${listed(about)}.` : "";
-    return `Observations ${listed(numbers)} contradict each other.${disagree}`;
-  }
-  return `${behavioursLeft(possible)}. ${sentence}`;
+  return contradiction
+    ? words.spokenContradiction(contradiction)
+    : words.spokenAnswer(possible, sentence);
 }

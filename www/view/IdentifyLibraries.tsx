@@ -2,8 +2,9 @@
 import { toFragment } from "../address.ts";
 import type { IdentifyReport, LibraryMatch } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { choiceWords, listed } from "./identify_words.ts";
-import { knownWords, libraryWith, notEstablished } from "./library_words.ts";
+import * as words from "../words/identify_matches.ts";
+import { knownWords } from "../words/library_behaviour.ts";
+import { libraryWith } from "./library.ts";
 
 /** As many are shown without being asked for. */
 const shownAtOnce = 12;
@@ -22,21 +23,13 @@ export function MatchingLibraries({ store, report }: { store: Store; report: Ide
   const sayLittle = all.filter((match) => open(match) > mostOpen);
   return (
     <section class="fact matches" aria-labelledby="matches-name">
-      <h2 id="matches-name">
-        Records that match: {all.length} of {store.engine.libraries.length}
-      </h2>
-      {all.length === 0 && (
-        <p>No record of the table behaves like this. It may be right all the same.</p>
-      )}
-      <MatchList store={store} title="Establish all five choices, and agree" matches={agree} />
-      <MatchList
-        store={store}
-        title="Leave one or two choices open, and agree"
-        matches={leaveOpen}
-      />
+      <h2 id="matches-name">{words.title(all.length, store.engine.libraries.length)}</h2>
+      {all.length === 0 && <p>{words.none}</p>}
+      <MatchList store={store} title={words.agree} matches={agree} />
+      <MatchList store={store} title={words.leaveOpen} matches={leaveOpen} />
       {sayLittle.length > 0 && (
         <details class="products">
-          <summary>{sayLittle.length} more establish too little to disagree</summary>
+          <summary>{words.sayLittle(sayLittle.length)}</summary>
           <Matches store={store} matches={sayLittle} />
         </details>
       )}
@@ -63,7 +56,7 @@ function MatchList({
       <Matches store={store} matches={matches.slice(0, shownAtOnce)} />
       {more.length > 0 && (
         <details class="products">
-          <summary>{more.length} more</summary>
+          <summary>{words.more(more.length)}</summary>
           <Matches store={store} matches={more} />
         </details>
       )}
@@ -102,9 +95,7 @@ function Match({
         {library.version}, {knownWords[library.known][0]}
       </span>
       {match.unestablished.length > 0 && (
-        <span class="match-open">
-          {notEstablished}: {listed(match.unestablished.map((choice) => choiceWords[choice].about))}
-        </span>
+        <span class="match-open">{words.unestablished(match.unestablished)}</span>
       )}
     </li>
   );

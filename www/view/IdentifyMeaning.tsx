@@ -1,23 +1,20 @@
 // What follows from the choices, how it relates to Hamilton and JPL, and what numbers cannot tell.
 import type { ComponentChildren } from "preact";
 import type { CosineMatrix, Direction, Handedness, IdentifyReport, Side } from "../engine.ts";
-import {
-  familySays,
-  listed,
-  settledFamily,
-  settledValue,
-  sideWords,
-  wordsOfValue,
-} from "./identify_words.ts";
-import { familyWords, takesWords } from "./library_words.ts";
-import { axisWords, operatorOf } from "./words.ts";
+import { axisWords, wordsOf } from "../words/conventions.ts";
+import * as words from "../words/identify_meaning.tsx";
+import { familyWords, productWords, takesWords } from "../words/library_behaviour.ts";
+import { familySays, sideWords } from "../words/observations.ts";
+import { capital, unbroken } from "../words/phrases.ts";
+import { operatorOf } from "./conventions.ts";
+import { presetOfValue, settledFamily, settledValue, wordsOfValue } from "./identify_choices.ts";
 
 export function Meaning({ report, name }: { report: IdentifyReport; name: string }) {
   return (
     <div class="facts meaning">
       <Relatives report={report} name={name} />
       <section class="fact" aria-labelledby="unsettled-name">
-        <h2 id="unsettled-name">What no numbers tell</h2>
+        <h2 id="unsettled-name">{words.unsettled}</h2>
         <LabelWords report={report} />
       </section>
     </div>
@@ -28,35 +25,38 @@ export function Meaning({ report, name }: { report: IdentifyReport; name: string
 function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
   const { handedness, rotate, firstToAct } = report.remaining;
   const family = settledFamily(report.remaining);
-  const products = (value: Handedness) => <Value choice="handedness" value={value} />;
-  const rotations = (value: CosineMatrix) => <Value choice="rotate" value={value} />;
+  const products = (value: Handedness) => <Value value={value} />;
+  const rotations = (value: CosineMatrix) => <Value value={value} />;
   const rows: { name: string; cells: ComponentChildren[] }[] = [
     {
-      name: "product",
+      name: words.product,
       cells: [products("right"), handedness.map(products), products("left")],
     },
-    { name: "rotates a column by", cells: [rotations("R"), rotate.map(rotations), rotations("C")] },
     {
-      name: "acts first in a * b",
+      name: words.rotates,
+      cells: [rotations("R"), rotate.map(rotations), rotations("C")],
+    },
+    {
+      name: words.actsFirst,
       cells: [operand("right"), firstToAct.map(operand), operand("right")],
     },
   ];
   return (
     <section class="fact relatives" aria-labelledby="relatives-name">
-      <h2 id="relatives-name">Between Hamilton and JPL</h2>
+      <h2 id="relatives-name">{words.relatives}</h2>
       <div class="table-scroll">
         <table>
           <thead>
             <tr>
               <td />
               <th scope="col" class="hamilton">
-                Hamilton
+                {wordsOf.hamilton.name}
               </th>
               <th scope="col" class="relatives-own">
                 <span class="long-name">{name}</span>
               </th>
               <th scope="col" class="jpl">
-                JPL
+                {wordsOf.jpl.name}
               </th>
             </tr>
           </thead>
@@ -78,7 +78,7 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
             <strong>{capital(familyWords[family][0])}.</strong> {familySays[family]}
           </>
         ) : (
-          "Open until the product and the rotation are settled."
+          words.familyOpen
         )}
       </p>
       <Follows report={report} />
@@ -86,23 +86,24 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
   );
 }
 
-const operand = (side: Side) => <span>{side === "left" ? "a, the left" : "b, the right"}</span>;
-
-const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+const operand = (side: Side) => <span>{words.operand[side]}</span>;
 
 /** One value, or both with `or` between them. */
 function alternatives(cells: ComponentChildren): ComponentChildren {
   if (!Array.isArray(cells)) return cells;
   if (cells.length === 0) return "–";
-  return cells.length === 1 ? cells[0] : <span class="open-cell">open</span>;
+  return cells.length === 1 ? cells[0] : <span class="open-cell">{words.open}</span>;
 }
 
+/** A product by its rule alone: its convention is the heading of the column. */
+const shownOf = (value: Handedness | CosineMatrix) =>
+  value === "right" || value === "left"
+    ? unbroken(productWords[value])
+    : wordsOfValue("rotate", value);
+
 /** A value in the colour of its convention. */
-function Value({ choice, value }: { choice: "handedness" | "rotate"; value: string }) {
-  const words = wordsOfValue(choice, value);
-  return (
-    <span class={`convention-value ${words?.preset}`}>{words?.words.replace(/^.*, /, "")}</span>
-  );
+function Value({ value }: { value: Handedness | CosineMatrix }) {
+  return <span class={`convention-value ${presetOfValue[value]}`}>{shownOf(value)}</span>;
 }
 
 function Follows({ report: { remaining } }: { report: IdentifyReport }) {
@@ -110,37 +111,20 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
   return (
     <ul class="notes follows">
       <li>
-        {firstToAct.length === 1 && firstToAct[0] ? (
-          <>
-            In <code>a * b</code> <strong>{sideWords[firstToAct[0]]}</strong> acts first on a
-            vector.
-          </>
-        ) : (
-          "Which operand acts first follows from the product and the rotation: still open."
-        )}
+        {firstToAct.length === 1 && firstToAct[0]
+          ? words.first(sideWords[firstToAct[0]])
+          : words.firstOpen}
       </li>
       <li>
-        {direction.length === 1 && direction[0] ? (
-          <>
-            For the attitude of a body the call that rotates takes{" "}
-            <strong>{takesWords[direction[0]]}</strong>.
-          </>
-        ) : (
-          "Which coordinates to which it takes depends on how an attitude is written: a body turned by a quarter tells."
-        )}
+        {direction.length === 1 && direction[0]
+          ? words.takes(takesWords[direction[0]])
+          : words.takesOpen}
       </li>
       {settledValue(remaining, "rotate") && settledValue(remaining, "matrix") && (
         <li>
-          {settledValue(remaining, "rotate") === settledValue(remaining, "matrix") ? (
-            <>
-              Its matrix multiplies <strong>column vectors</strong> as the call that rotates does.
-            </>
-          ) : (
-            <>
-              Its matrix is the transpose of what rotates: it is for <strong>row vectors</strong>,
-              x M, or it is the inverse.
-            </>
-          )}
+          {settledValue(remaining, "rotate") === settledValue(remaining, "matrix")
+            ? words.columns
+            : words.rows}
         </li>
       )}
     </ul>
@@ -152,18 +136,14 @@ function LabelWords({ report: { labels, remaining } }: { report: IdentifyReport 
   if (remaining.direction.length === 0) return null;
   return (
     <>
-      <p>
-        A function and a direction reversed together leave every number as it is. Which of the two
-        labels is meant, only the documentation says.
-      </p>
+      <p>{words.labels}</p>
       <dl class="labels">
         {remaining.direction.map((direction) => (
           <div key={direction}>
             <dt>{takesWords[direction]}</dt>
             <dd>
-              {listed(
+              {words.either(
                 labels.filter((label) => operatorOf(label) === direction).map(labelWords),
-                "or",
               )}
             </dd>
           </div>
@@ -181,5 +161,5 @@ function labelWords({
   direction: Direction;
 }): string {
   const [name, effect] = axisWords.function.values[does];
-  return `${name}, ${axisWords.direction.values[direction][0]} (${effect})`;
+  return words.label(name, axisWords.direction.values[direction][0], effect);
 }

@@ -1,12 +1,13 @@
 // One observation: what to run, what went in, what was printed, and what that tells.
 import type { ComponentChildren } from "preact";
 import { layouts } from "../address_probes.ts";
-import type { MatrixLayout, ObservationReport, Probe, Problem } from "../engine.ts";
+import type { ObservationReport, Probe, Problem } from "../engine.ts";
+import { symbolOf } from "../words/conventions.ts";
+import * as words from "../words/identify_observation.tsx";
+import { layoutNames, probeWords } from "../words/observations.ts";
 import { Copy } from "./Copy.tsx";
 import { fieldOf, inputsOf, type TextName, textOf, withText } from "./identify_probe.ts";
-import { choiceWords, listed, probeWords, unexplainedAdvice } from "./identify_words.ts";
 import { MarkedText } from "./MarkedText.tsx";
-import { symbolOf } from "./words.ts";
 
 /** The field in which the answer to an observation is typed. */
 export const printedId = (at: number) => `observation-${at}-printed`;
@@ -48,7 +49,7 @@ export function Observation({
     <Text
       key={text}
       id={`${id}-${text}`}
-      of={`observation ${at + 1}`}
+      of={words.of(at)}
       name={text}
       text={textOf(probe, text)}
       problem={problem?.field === fieldOf[text] ? problem : undefined}
@@ -69,11 +70,11 @@ export function Observation({
         </span>
         <h3 id={`${id}-name`}>
           <span class="visually-hidden">
-            {isQuestion ? "Question" : "Observation"} {at + 1}:{" "}
+            {isQuestion ? words.question(at) : words.observation(at)}
           </span>
           {name}
         </h3>
-        {isFalse && <span class="badge">contradicts {listed(contradicts.map(numberOf))}</span>}
+        {isFalse && <span class="badge">{words.contradicts(contradicts)}</span>}
         {button}
       </header>
       <p class="observation-asks">{asks}</p>
@@ -82,7 +83,7 @@ export function Observation({
           <pre>
             <code>{code}</code>
           </pre>
-          <Copy of={`the code of observation ${at + 1}`} text={code} />
+          <Copy of={words.code(at)} text={code} />
         </div>
       )}
       <div class={`observation-texts probe-${probe.probe}`}>
@@ -98,8 +99,6 @@ export function Observation({
     </li>
   );
 }
-
-const numberOf = (at: number) => String(at + 1);
 
 /** A text of an observation, with the place of a problem marked in it. */
 function Text({
@@ -146,13 +145,6 @@ function Text({
   );
 }
 
-const layoutNames: Record<MatrixLayout, string> = {
-  "as-written": "as the lines show",
-  rows: "row by row",
-  columns: "column by column",
-  unknown: "not sure",
-};
-
 /** How nine numbers run. */
 function Layout({
   probe,
@@ -165,7 +157,8 @@ function Layout({
 }) {
   return (
     <label class="layout">
-      <span class="visually-hidden">observation {at + 1} </span>nine numbers{" "}
+      <span class="visually-hidden">{words.of(at)} </span>
+      {words.layout}{" "}
       <select
         value={probe.layout ?? "as-written"}
         onChange={(event) => {
@@ -189,7 +182,7 @@ const rounded = 1e-6;
 /** What an observation tells, or why it tells nothing. */
 function Told({
   report,
-  before = "Not answered yet.",
+  before = words.empty,
 }: {
   report: ObservationReport | undefined;
   before?: string | undefined;
@@ -198,40 +191,17 @@ function Told({
     case undefined:
     case "empty":
       return <p>{before}</p>;
-    case "problem": {
-      const { message, expected, hint } = report.problem;
-      return (
-        <p class="problem">
-          <span class="problem-message">{message}.</span> <span class="problem-key">Expected</span>{" "}
-          {expected}. <span class="problem-key">Try</span> {hint}.
-        </p>
-      );
+    case "problem":
+      return <p class="problem">{words.problemOf(report.problem)}</p>;
+    case "unexplained": {
+      const off = report.distance === undefined ? undefined : percent(report.distance);
+      return <p class="problem">{words.unexplained(off)}</p>;
     }
-    case "unexplained":
-      return (
-        <p class="problem">
-          <span class="problem-message">
-            No behaviour prints this
-            {report.distance === undefined
-              ? ": it has no direction."
-              : `; the nearest is off by ${percent(report.distance)} of its size.`}
-          </span>{" "}
-          <span class="problem-key">Look for</span> {unexplainedAdvice.join("; ")}.
-        </p>
-      );
     case "told":
       return (
         <p>
-          {report.settles.length === 0 ? (
-            "Settles no choice by itself"
-          ) : (
-            <>
-              Settles{" "}
-              <strong>{listed(report.settles.map((choice) => choiceWords[choice].about))}</strong>
-            </>
-          )}
-          ; {report.possible} of 128 behaviours print this.
-          {report.distance > rounded && ` Rounded: off by ${percent(report.distance)}.`}
+          {words.told(report.settles, report.possible)}
+          {report.distance > rounded && words.rounded(percent(report.distance))}
         </p>
       );
   }

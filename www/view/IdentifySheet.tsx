@@ -2,10 +2,12 @@
 import { mostObservations } from "../address_probes.ts";
 import type { IdentifyReport, NextProbe, Probe, ProbeKind } from "../engine.ts";
 import type { Store } from "../state.ts";
+import * as words from "../words/identify_sheet.tsx";
+import { probeWords } from "../words/observations.ts";
 import { Observation, printedId } from "./IdentifyObservation.tsx";
 import type { Answer } from "./identify_answer.ts";
+import { choicesOfLibrary, kinds } from "./identify_choices.ts";
 import { isSameProbe, standardProbe } from "./identify_probe.ts";
-import { choicesOfLibrary, kinds, listed, probeWords } from "./identify_words.ts";
 
 /** Where the answer can be reached from the last question. */
 export const sentenceId = "identify-sentence";
@@ -50,14 +52,9 @@ export function Sheet({
   return (
     <section class="sheet" aria-labelledby="sheet-name">
       <header class="sheet-head">
-        <h2 id="sheet-name">What it printed</h2>
-        {isExample && <span class="badge">an example</span>}
-        <p>
-          Put the names of your library into these lines, run them, and enter what they print; Enter
-          goes on. Four numbers stand as the library takes and prints them; with names,{" "}
-          <code>w: 1, x: 0, …</code>, their order is no question. Rounded numbers, single precision
-          and −q for q are fine.
-        </p>
+        <h2 id="sheet-name">{words.title}</h2>
+        {isExample && <span class="badge">{words.example}</span>}
+        <p>{words.lead}</p>
       </header>
       <ol class="observations">
         {cards.map((probe, at) => {
@@ -81,7 +78,7 @@ export function Sheet({
                   <CannotRun store={store} kind={probe.probe} at={at} />
                 ) : (
                   <button type="button" class="quiet" onClick={() => remove(at)}>
-                    Remove<span class="visually-hidden"> observation {at + 1}</span>
+                    {words.remove(at)}
                   </button>
                 )
               }
@@ -108,9 +105,7 @@ function questionAfter(observations: readonly Probe[], { report }: Answer): Next
 
 /** Said when the rest is for those who need it. */
 function leadTo({ settled }: IdentifyReport): string | undefined {
-  return choicesOfLibrary.every((choice) => settled.includes(choice))
-    ? "The library is settled; this tells how it is used."
-    : undefined;
+  return choicesOfLibrary.every((choice) => settled.includes(choice)) ? words.settled : undefined;
 }
 
 function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: number }) {
@@ -124,7 +119,7 @@ function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: num
         focusSoon(printedId(at));
       }}
     >
-      I cannot run this
+      {words.cannotRun}
     </button>
   );
 }
@@ -132,20 +127,18 @@ function CannotRun({ store, kind, at }: { store: Store; kind: ProbeKind; at: num
 /** Why nothing is asked. */
 function NoQuestion({ store, answer: { report } }: { store: Store; answer: Answer }) {
   const { observations, unavailable } = store.state.value;
-  return <p class="no-question">{words()}</p>;
+  return <p class="no-question">{reason()}</p>;
 
-  function words(): string {
-    if (report.contradiction) return "The next question comes when nothing is contradicted.";
+  function reason(): string {
+    if (report.contradiction) return words.questionAfterContradiction;
     const open = observations.findIndex((probe, at) => {
       const isOpen = report.observations[at]?.status !== "told";
       return isOpen && probe.probe === report.next?.probe.probe;
     });
-    if (open >= 0) return `The next question comes when observation ${open + 1} is answered.`;
-    if (report.next) return `A sheet holds ${mostObservations} observations.`;
-    if (report.possible === 1) return "Nothing more to ask: all that numbers can tell is settled.";
-    return unavailable.length > 0
-      ? "None of the probes that you can run tells more."
-      : "No other probe tells more.";
+    if (open >= 0) return words.questionAfter(open);
+    if (report.next) return words.full(mostObservations);
+    if (report.possible === 1) return words.allSettled;
+    return unavailable.length > 0 ? words.noneToRun : words.noneTellsMore;
   }
 }
 
@@ -159,10 +152,9 @@ function Unavailable({ store }: { store: Store }) {
   };
   return (
     <p class="unavailable">
-      Not asked, because you cannot run it:{" "}
-      {listed(unavailable.map((kind) => probeWords[kind].name))}.{" "}
+      {words.notAsked(unavailable.map((kind) => probeWords[kind].name))}{" "}
       <button type="button" class="quiet" onClick={askAgain}>
-        Ask again
+        {words.askAgain}
       </button>
     </p>
   );
@@ -183,11 +175,11 @@ function Add({ store }: { store: Store }) {
   };
   return (
     <fieldset class="add" disabled={observations.length >= mostObservations}>
-      <legend>Or enter something else that it printed</legend>
+      <legend>{words.add}</legend>
       {kinds.map((kind) => (
         <button key={kind} type="button" class="chip" onClick={() => add(kind)}>
           {probeWords[kind].name}
-          {isTried(kind) && <span class="visually-hidden"> once more</span>}
+          {isTried(kind) && <span class="visually-hidden">{words.onceMore}</span>}
         </button>
       ))}
     </fieldset>

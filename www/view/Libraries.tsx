@@ -3,34 +3,20 @@ import { useEffect, useId } from "preact/hooks";
 import { toFragment } from "../address.ts";
 import type { Group, Known, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { LibraryRecord } from "./LibraryRecord.tsx";
-import { found } from "./library_search.ts";
+import { lettersOf } from "../words/conventions.ts";
+import * as words from "../words/libraries.tsx";
 import {
-  aboutLibrary,
-  accentOf,
-  establishedOf,
   familyWords,
   groupNames,
-  groups,
   knownWords,
   notEstablished,
-  ordersOf,
   productWords,
-} from "./library_words.ts";
-import { lettersOf } from "./words.ts";
+} from "../words/library_behaviour.ts";
+import { LibraryRecord } from "./LibraryRecord.tsx";
+import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "./library.ts";
+import { found } from "./library_search.ts";
 
-const columns = [
-  "Library",
-  "Version",
-  "Known",
-  "Array",
-  "Constructor",
-  "Product",
-  "Rotates by",
-  "Matrix as printed",
-  "a * b: first",
-  "In short",
-] as const;
+const { columns } = words;
 
 export function Libraries({ store }: { store: Store }) {
   const { find, library: opened } = store.state.value;
@@ -40,33 +26,30 @@ export function Libraries({ store }: { store: Store }) {
   useEffect(() => bringIntoView(opened), [opened]);
   return (
     <>
-      <section class="ask library-ask" aria-label="Input">
-        <h2 class="visually-hidden">What libraries mean by four numbers</h2>
+      <section class="ask library-ask" aria-label={words.input}>
+        <h2 class="visually-hidden">{words.title}</h2>
         <div class="library-find">
-          <label for={inputId}>Find a library</label>
+          <label for={inputId}>{words.find}</label>
           <input
             id={inputId}
             type="search"
             autocomplete="off"
             spellcheck={false}
-            placeholder="name, module, language, xyzw, JPL …"
+            placeholder={words.findExample}
             value={find}
             onInput={(event) => store.set({ find: event.currentTarget.value })}
           />
         </div>
         <p class="library-intro">
-          {counted(matching, libraries)} <strong>R</strong> is the matrix of Hamilton's active
-          rotation, <var>R</var>(<var>q</var>) <var>v</var> = <var>q</var> <var>v</var> <var>q</var>
-          *, and <strong>C</strong> its transpose. Where no call of a library rotates a vector, what
-          acts first follows from its matrix. A dash means {notEstablished}.
+          {counted(matching, libraries)} {words.legend}
         </p>
       </section>
       <div class="result current">
         {matching.length === 0 ? (
           <p class="absent">
-            No record has all these words. Try one of them, or{" "}
+            {words.none}{" "}
             <button type="button" class="quiet" onClick={() => store.set({ find: "" })}>
-              show all {libraries.length}
+              {words.showAll(libraries.length)}
             </button>
           </p>
         ) : (
@@ -113,23 +96,11 @@ function bringIntoView(id: string) {
 
 function counted(matching: readonly Library[], all: readonly Library[]): string {
   const of = (known: Known) => matching.filter((library) => library.known === known).length;
-  const parts = (["run", "read", "documented"] as const)
-    .map((known) => [of(known), countWords[known]] as const)
-    .filter(([count]) => count > 0)
-    .map(([count, words]) => `${count} ${words}`);
-  const total =
-    matching.length === all.length
-      ? `${all.length} records`
-      : `${matching.length} of ${all.length}`;
-  return parts.length === 0 ? `${total}.` : `${total}: ${parts.join(", ")}.`;
+  const known = (["run", "read", "documented"] as const)
+    .map((how) => [how, of(how)] as const)
+    .filter(([, count]) => count > 0);
+  return words.counted(matching.length, all.length, known);
 }
-
-/** What is said after a number of records. */
-const countWords: Record<Known, string> = {
-  run: "run",
-  read: "known from the source",
-  documented: "only from the documentation",
-};
 
 function GroupRows({
   group,
@@ -212,6 +183,5 @@ function NotEstablished() {
 export function spokenLibraries(store: Store): string {
   const matching = foundIn(store);
   const opened = matching.find(({ id }) => id === store.state.value.library);
-  const count = `${matching.length} of ${store.engine.libraries.length} libraries.`;
-  return opened ? `${count} The record of ${opened.name} is open.` : count;
+  return words.spoken(matching.length, store.engine.libraries.length, opened?.name);
 }

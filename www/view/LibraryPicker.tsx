@@ -1,9 +1,11 @@
 // A field to find a library by typing: a combobox with a list, after the pattern of WAI-ARIA.
 import { useEffect, useId, useRef, useState } from "preact/hooks";
 import type { Endpoint, Engine, Library } from "../engine.ts";
+import { groupNames } from "../words/library_behaviour.ts";
+import * as words from "../words/library_picker.ts";
+import { namedOf } from "./conventions.ts";
+import { aboutLibrary, endName, groups } from "./library.ts";
 import { found } from "./library_search.ts";
-import { aboutLibrary, endName, groupNames, groups } from "./library_words.ts";
-import { nameOf } from "./words.ts";
 
 /** What the list offers beside libraries. */
 export type Convened = "hamilton" | "jpl" | "custom";
@@ -121,7 +123,7 @@ export function LibraryPicker({
         ref={list}
         class="picker-list"
         role="listbox"
-        aria-label={`${label}: libraries and conventions`}
+        aria-label={words.list(label)}
         hidden={!isOpen}
         // A click in the list must not take the focus from the field.
         onMouseDown={(event) => event.preventDefault()}
@@ -156,8 +158,7 @@ export function LibraryPicker({
             aria-disabled="true"
             tabIndex={-1}
           >
-            No library here is called “{asked}”. Try a module, a class or a language; or choose a
-            convention.
+            {words.none(asked)}
           </div>
         )}
       </div>
@@ -178,9 +179,10 @@ function sectionsFor(
     choose: () => choose(library.id),
   });
   const convened: Section = {
-    name: "Conventions",
-    options: conventions
-      .filter(({ name, about }) => fits(`${name} ${about} convention`, asked))
+    name: words.conventions,
+    options: (Object.keys(words.convention) as Convened[])
+      .map((key) => ({ key, ...words.convention[key] }))
+      .filter(({ name, about }) => fits(`${name} ${about} ${words.conventionWord}`, asked))
       .map(({ key, name, about }) => ({ key: `:${key}`, name, about, choose: () => convene(key) })),
   };
   const libraries = found(engine.libraries, asked, (library) => aboutLibrary(library, engine));
@@ -190,24 +192,18 @@ function sectionsFor(
           name: groupNames[group],
           options: libraries.filter((library) => library.group === group).map(libraryOption),
         }))
-      : [{ name: "Libraries", options: libraries.map(libraryOption) }];
+      : [{ name: words.libraries, options: libraries.map(libraryOption) }];
   return [convened, ...sections].filter((section) => section.options.length > 0);
 }
 
-const conventions: { key: Convened; name: string; about: string }[] = [
-  { key: "hamilton", name: "Hamilton", about: "w x y z, ij = k, body → world" },
-  { key: "jpl", name: "JPL", about: "x y z w, ij = −k, world → body (Shuster)" },
-  { key: "custom", name: "Custom convention…", about: "five axes, each by itself" },
-];
-
-const fits = (words: string, asked: string) =>
+const fits = (text: string, asked: string) =>
   asked
     .toLowerCase()
     .split(/\s+/)
-    .every((word) => words.toLowerCase().includes(word));
+    .every((word) => text.toLowerCase().includes(word));
 
 function keyOf(end: Endpoint, engine: Engine): string {
   if (end.kind === "library") return end.id;
-  const name = nameOf(end.convention, engine);
-  return name === "Hamilton" ? ":hamilton" : name === "JPL" ? ":jpl" : ":custom";
+  const name = namedOf(end.convention, engine);
+  return name === "hamilton" || name === "jpl" ? `:${name}` : ":custom";
 }

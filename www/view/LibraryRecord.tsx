@@ -3,23 +3,24 @@ import type { ComponentChildren } from "preact";
 import { type PageState, toFragment } from "../address.ts";
 import type { Code, Endpoint, Library } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { Copy } from "./Copy.tsx";
-import { EvidenceOf } from "./Evidence.tsx";
 import {
   axisAngleWords,
-  establishedOf,
   familyWords,
   halfTurnWords,
   knownWords,
   languageNames,
-  listed,
   nonUnitWords,
   notEstablished,
+  resultWords,
   signWords,
   slerpWords,
   takesWords,
   zeroWords,
-} from "./library_words.ts";
+} from "../words/library_behaviour.ts";
+import * as words from "../words/library_record.tsx";
+import { Copy } from "./Copy.tsx";
+import { EvidenceOf } from "./Evidence.tsx";
+import { establishedOf } from "./library.ts";
 
 export function LibraryRecord({ library, store }: { library: Library; store: Store }) {
   const { family, action } = establishedOf(store.engine.endOf(library.id));
@@ -27,66 +28,64 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
     `#${toFragment({ ...store.state.value, ...change })}`;
   const end: Endpoint = { kind: "library", id: library.id };
   return (
-    <article class="record" aria-label={`The record of ${library.name}`}>
+    <article class="record" aria-label={words.title(library.name)}>
       <p class="record-links">
         <a class="quiet" href={linkTo({ view: "translate", from: end })}>
-          Translate from
+          {words.from}
         </a>
         <a class="quiet" href={linkTo({ view: "translate", to: end })}>
-          Translate to
+          {words.to}
         </a>
         <span class="record-link">
-          link to this record
-          <Copy of="the link to this record" text={permalink(library.id)} />
+          {words.link}
+          <Copy of={words.copiedLink} text={permalink(library.id)} />
         </span>
       </p>
       {library.note !== undefined && <p class="record-note">{library.note}</p>}
       <div class="record-parts">
         <div>
-          <h3>What it means</h3>
+          <h3>{words.means}</h3>
           <dl>
-            <Fact name="Called">
+            <Fact name={words.called}>
               {family && (
                 <>
                   <strong>{familyWords[family][0]}</strong>: {familyWords[family][1]}
                 </>
               )}
             </Fact>
-            <Fact name="Direction">
-              {library.direction && action && (
-                <>
-                  {action}(q) takes {takesWords[library.direction]}, as documented
-                </>
-              )}
+            <Fact name={words.direction}>
+              {library.direction && action && words.takes(action, takesWords[library.direction])}
             </Fact>
             {library.euler?.map(({ call, means }, at) => (
-              <Fact key={call} name={at === 0 ? "Euler angles" : ""}>
-                <code>{call}</code> is <code>{means.replaceAll("-", "−")}</code>
+              <Fact key={call} name={at === 0 ? words.euler : ""}>
+                {words.eulerCall(call, means.replaceAll("-", "−"))}
               </Fact>
             ))}
-            <Fact name="+θ about z">{library.axisAngle && axisAngleWords[library.axisAngle]}</Fact>
-            <Fact name="Of a matrix">
+            <Fact name={words.axisAngle}>
+              {library.axisAngle && axisAngleWords[library.axisAngle]}
+            </Fact>
+            <Fact name={words.ofMatrix}>
               {library.matrixToQuaternion &&
                 `${signWords[library.matrixToQuaternion.sign]}; ${halfTurnWords[library.matrixToQuaternion.halfTurns]}`}
             </Fact>
-            <Fact name="slerp">{library.slerp && slerpWords[library.slerp]}</Fact>
-            <Fact name="Norm 2">{listed(library.nonUnit, nonUnitWords)}</Fact>
-            <Fact name="Zero">{listed(library.zero, zeroWords)}</Fact>
+            <Fact name={words.slerp}>{library.slerp && slerpWords[library.slerp]}</Fact>
+            <Fact name={words.nonUnit}>{resultWords(library.nonUnit, nonUnitWords)}</Fact>
+            <Fact name={words.zero}>{resultWords(library.zero, zeroWords)}</Fact>
           </dl>
         </div>
         <div>
           <h3>{languageNames[library.language]}</h3>
           <CodeOf code={library.code} />
-          <h3>How it is known</h3>
+          <h3>{words.known}</h3>
           <dl>
             <Fact name={knownWords[library.known][0]}>{knownWords[library.known][1]}</Fact>
             {library.calls !== undefined && (
-              <Fact name="Calls">
+              <Fact name={words.calls}>
                 <code>{library.calls}</code>
               </Fact>
             )}
             {library.source && (
-              <Fact name="Source">
+              <Fact name={words.source}>
                 {library.source.text}{" "}
                 {library.source.url !== undefined && (
                   <a href={library.source.url} rel="noreferrer">
@@ -120,17 +119,8 @@ function Fact({ name, children }: { name: string; children: ComponentChildren })
   );
 }
 
-const codeNames: Record<keyof Code, string> = {
-  construct: "construct",
-  rotate: "rotate v",
-  matrix: "matrix",
-  product: "product",
-  fromMatrix: "of a matrix",
-  print: "print",
-};
-
 function CodeOf({ code }: { code: Code | undefined }) {
-  const lines = (Object.keys(codeNames) as (keyof Code)[]).flatMap((name) => {
+  const lines = (Object.keys(words.code) as (keyof Code)[]).flatMap((name) => {
     const line = code?.[name];
     return line === undefined ? [] : [{ name, line: line.replace(/\{([wxyz])\}f?/g, "$1") }];
   });
@@ -139,10 +129,10 @@ function CodeOf({ code }: { code: Code | undefined }) {
     <dl class="record-code">
       {lines.map(({ name, line }) => (
         <div key={name} class="record-fact">
-          <dt>{codeNames[name]}</dt>
+          <dt>{words.code[name]}</dt>
           <dd>
             <code>{line}</code>
-            <Copy of={`the call: ${codeNames[name]}`} text={line} />
+            <Copy of={words.copiedCall(words.code[name])} text={line} />
           </dd>
         </div>
       ))}

@@ -12,6 +12,7 @@ import { Facts } from "./Facts.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
 import { showOverlay } from "./Overlay.tsx";
+import { Picture } from "./Picture.tsx";
 import { Relation } from "./Relation.tsx";
 import { presetLike } from "./words.ts";
 
@@ -20,19 +21,22 @@ export function Read({ store }: { store: Store }) {
   const shownResult = store.read.value;
   return (
     <>
-      <section class="ask" aria-label="Input">
-        <div class="ask-row">
-          <TextField store={store} field="quaternion" />
-          <ConventionSwitch store={store} />
-        </div>
-        <AskRest
-          store={store}
-          freshness={shownResult?.freshness}
-          examples={<Examples store={store} />}
-        >
-          {shownResult && <ReadAs report={shownResult.report} digits={digits} unit={unit} />}
-        </AskRest>
-      </section>
+      <div class="ask-and-picture">
+        <section class="ask" aria-label="Input">
+          <div class="ask-row">
+            <TextField store={store} field="quaternion" />
+            <ConventionSwitch store={store} />
+          </div>
+          <AskRest
+            store={store}
+            freshness={shownResult?.freshness}
+            examples={<Examples store={store} />}
+          >
+            {shownResult && <ReadAs report={shownResult.report} digits={digits} unit={unit} />}
+          </AskRest>
+        </section>
+        <Picture store={store} of="read" />
+      </div>
       {shownResult && (
         <div class={`result ${shownResult.freshness}`}>
           <Result report={shownResult.report} store={store} />

@@ -4,25 +4,28 @@ import { inverseAxes } from "../axis_texts.ts";
 import type { TranslateReport } from "../engine.ts";
 import { exact, shown } from "../format.ts";
 import type { Store } from "../state.ts";
+import { arrowOf } from "../words/conventions.ts";
+import type { EndNames } from "../words/translate.ts";
+import * as words from "../words/translate.ts";
 import { AskStatus, TextField } from "./Ask.tsx";
 import { AxesChoice } from "./AxesChoice.tsx";
+import { nameOf as conventionName } from "./conventions.ts";
 import { EndChoice } from "./EndChoice.tsx";
 import { NamedComponents } from "./Form.tsx";
-import { accentOf, endName, libraryWith } from "./library_words.ts";
+import { accentOf, endName, libraryWith } from "./library.ts";
 import { Notes } from "./Notes.tsx";
 import { NumberSettings } from "./Settings.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
-import { changeWords, Why } from "./TranslationWhy.tsx";
+import { Why } from "./TranslationWhy.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
-import { arrowOf, nameOf as conventionName, lettersOf } from "./words.ts";
 
 export function Translate({ store }: { store: Store }) {
   const { digits } = store.state.value;
   const shownResult = store.translate.value;
   return (
     <>
-      <section class="ask" aria-label="Input">
+      <section class="ask" aria-label={words.input}>
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
           <NumberSettings store={store} />
@@ -63,21 +66,21 @@ function SwapButton({ store }: { store: Store }) {
     });
   };
   return (
-    <button type="button" class="swap" onClick={swap} title="Swap sides">
+    <button type="button" class="swap" onClick={swap} title={words.swap}>
       <svg viewBox="0 0 20 20" width="20" height="20" aria-hidden="true">
         <path d="M3 7 H16 M12.5 3.5 L16 7 L12.5 10.5 M17 13 H4 M7.5 9.5 L4 13 L7.5 16.5" />
       </svg>
-      <span class="visually-hidden">Swap sides</span>
+      <span class="visually-hidden">{words.swap}</span>
     </button>
   );
 }
 
 const library = (id: string) => ({ kind: "library", id }) as const;
 
-const examples: ({ name: string } & Partial<PageState>)[] = [
-  { name: "A JPL filter log to Ceres" },
+const examples: ({ name: keyof typeof words.exampleNames } & Partial<PageState>)[] = [
+  { name: "ceres" },
   {
-    name: "PX4 to ROS",
+    name: "px4",
     translated: "0.7071067811865476 0 0 0.7071067811865476",
     from: library("px4-vehicle-attitude"),
     to: library("ros-geometry-msgs"),
@@ -85,13 +88,13 @@ const examples: ({ name: string } & Partial<PageState>)[] = [
     bodyAxes: "FRD to FLU",
   },
   {
-    name: "MATLAB Aerospace to SciPy",
+    name: "matlab",
     translated: "[0.9515 0.0381 0.1893 0.2393]",
     from: library("matlab-aerospace"),
     to: library("scipy"),
   },
   {
-    name: "World to camera, to Eigen",
+    name: "camera",
     translated: "0.8 0.2 -0.4 0.4",
     from: {
       kind: "convention",
@@ -106,13 +109,13 @@ const examples: ({ name: string } & Partial<PageState>)[] = [
     to: library("eigen"),
   },
   {
-    name: "DirectXMath to GLM",
+    name: "directx",
     translated: "XMVectorSet(0.1f, 0.2f, 0.3f, 0.9273618f)",
     from: library("directxmath"),
     to: library("glm"),
   },
   {
-    name: "ROS to Unity",
+    name: "unity",
     translated: "x: 0.0\ny: 0.0\nz: 0.3827\nw: 0.9239",
     from: library("ros-geometry-msgs"),
     to: library("unity"),
@@ -133,12 +136,12 @@ const openingTranslation = {
 function Examples({ store }: { store: Store }) {
   return (
     <div class="examples">
-      <span id="examples-label">Examples</span>
+      <span id="examples-label">{words.examples}</span>
       <ul aria-labelledby="examples-label">
         {examples.map(({ name, ...example }) => (
           <li key={name}>
             <a href={`#${toFragment({ ...store.state.value, ...openingTranslation, ...example })}`}>
-              {name}
+              {words.exampleNames[name]}
             </a>
           </li>
         ))}
@@ -153,17 +156,18 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
   return (
     <div class="read-as">
       <p>
-        Read as <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
+        {words.readAs}{" "}
+        <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
       </p>
       {proposed && (
         <p class="proposal">
-          This looks like {proposed.name}:{" "}
+          {words.looksLike(proposed.name)}{" "}
           <button
             type="button"
             class="quiet"
             onClick={() => store.set({ from: library(proposed.id) })}
           >
-            translate from {proposed.name}
+            {words.translateFrom(proposed.name)}
           </button>
         </p>
       )}
@@ -185,7 +189,7 @@ function Result({
   return (
     <>
       <section class="card translation custom" aria-labelledby="translation-name">
-        <h2 id="translation-name">{changeWords(report)}</h2>
+        <h2 id="translation-name">{words.changeWords(report)}</h2>
         <div class="translation-numbers">
           {(["from", "to"] as const).map((side) => (
             <div key={side} class={`translation-end ${accentOf(report[side].family)}`}>
@@ -194,7 +198,7 @@ function Result({
               </p>
               <ComponentStrip
                 symbol="q"
-                name={`q of ${names[side]} as ${lettersOf[report[side].order]}`}
+                name={words.components(names[side], report[side].order)}
                 components={report[side].components}
                 convention={report[side]}
                 digits={digits}
@@ -226,22 +230,17 @@ function Result({
   );
 }
 
-export interface EndNames {
-  from: string;
-  to: string;
-}
-
 /** What the ends of a report are called, which are not those of the state while a text has a problem. */
 function namesOf(report: TranslateReport, store: Store): EndNames {
   const { engine } = store;
   const nameOf = (side: "from" | "to") => {
     const { library, convention } = report[side];
     return library === undefined
-      ? (conventionName(convention, engine) ?? "Your convention")
+      ? (conventionName(convention, engine) ?? words.yours)
       : endName({ kind: "library", id: library }, engine);
   };
   const [from, to] = [nameOf("from"), nameOf("to")];
-  return from === to ? { from: `${from} (from)`, to: `${to} (to)` } : { from, to };
+  return from === to ? words.sameNames(from) : { from, to };
 }
 
 /** What a screen reader hears when the result changes. */
@@ -253,5 +252,5 @@ export function spokenTranslation(store: Store): string {
   const numbers = namesInOrder(report.to).map(
     (name) => `${name} ${shown(components[name], digits)}`,
   );
-  return `Result for ${namesOf(report, store).to}: ${numbers.join(", ")}. ${changeWords(report)}.`;
+  return words.spoken(namesOf(report, store).to, numbers, report);
 }

@@ -1,24 +1,22 @@
 // One end of a translation: its numbers, its matrix, its product, its line of code.
 import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
-import type { Assumption, Engine, TranslatedEnd } from "../engine.ts";
-import { Copy } from "./Copy.tsx";
+import type { Engine, TranslatedEnd } from "../engine.ts";
+import { arrowOf, lettersOf } from "../words/conventions.ts";
 import {
-  accentOf,
   familyWords,
   knownWords,
   languageNames,
-  libraryWith,
-  listed,
   nonUnitWords,
-  notEstablished,
   productWords,
-  takesWords,
+  resultWords,
   vectorWords,
-} from "./library_words.ts";
+} from "../words/library_behaviour.ts";
+import * as words from "../words/translated_end.tsx";
+import { Copy } from "./Copy.tsx";
+import { accentOf, libraryWith } from "./library.ts";
 import { Of } from "./TranslationWhy.tsx";
 import { ArrayRow, Matrix } from "./Value.tsx";
-import { arrowOf, lettersOf } from "./words.ts";
 
 export function EndColumn({
   side,
@@ -46,21 +44,19 @@ export function EndColumn({
         <h2 id={`${side}-name`}>{name}</h2>
         {library && <span class="badge">{knownWords[library.known][0]}</span>}
         <p class="axes">
-          <span>{end.handedness ? productWords[end.handedness] : `product ${notEstablished}`}</span>{" "}
+          <span>{end.handedness ? productWords[end.handedness] : words.product}</span>{" "}
           <span>{lettersOf[end.order]}</span> <span>{arrowOf(end.direction)}</span>
         </p>
-        <p class="effect">
-          <Of action={end.action} /> takes {takesWords[end.direction]}.
-        </p>
+        <p class="effect">{words.takes(<Of action={end.action} />, end.direction)}</p>
         {assumed.map((what) => (
           <p key={what} class="assumed">
-            {assumptions[what]}
+            {words.assumptions[what]}
           </p>
         ))}
       </header>
       {end.construct !== undefined && (
         <CodeLines
-          title={library ? languageNames[library.language] : "code"}
+          title={library ? languageNames[library.language] : words.code}
           lines={[end.construct, end.usual]}
           of={name}
         />
@@ -68,10 +64,10 @@ export function EndColumn({
       {matrix ? (
         <div class="matrices">
           <Matrix
-            name={`matrix of ${name}`}
+            name={words.matrix(name)}
             symbol={
               <>
-                {library && "as printed, "}
+                {library && words.asPrinted}
                 <Of action={matrix.form} />
               </>
             }
@@ -81,12 +77,12 @@ export function EndColumn({
           />
         </div>
       ) : (
-        <p class="absent">What it prints as the matrix is {notEstablished}.</p>
+        <p class="absent">{words.noMatrix}</p>
       )}
       <div class="rows">
         {otherOrder && (
           <ArrayRow
-            name={`q of ${name} as its constructor takes it`}
+            name={words.constructed(name)}
             symbol={lettersOf[otherOrder]}
             numbers={
               otherOrder === "scalar-first"
@@ -94,17 +90,15 @@ export function EndColumn({
                 : [components.x, components.y, components.z, components.w]
             }
             digits={digits}
-            note="as its constructor takes them"
+            note={words.constructedNote}
           />
         )}
         <WordRow symbol={<code>a * b</code>}>
-          {end.firstToAct === undefined
-            ? `which of the two acts first is ${notEstablished}`
-            : `acts on a vector first by ${end.firstToAct === "right" ? "b, then by a" : "a, then by b"}`}
+          {end.firstToAct === undefined ? words.noFirst : words.first[end.firstToAct]}
         </WordRow>
-        <WordRow symbol="is called">
+        <WordRow symbol={words.called}>
           {end.family === undefined ? (
-            `its product is ${notEstablished}`
+            words.noFamily
           ) : (
             <>
               <strong>{familyWords[end.family][0]}</strong>: {familyWords[end.family][1]}
@@ -112,8 +106,8 @@ export function EndColumn({
           )}
         </WordRow>
         {library && !isUnit && (
-          <WordRow symbol="norm not 1">
-            {listed(library.nonUnit, nonUnitWords) || `what it makes of it is ${notEstablished}`}
+          <WordRow symbol={words.nonUnit}>
+            {resultWords(library.nonUnit, nonUnitWords) || words.noNonUnit}
           </WordRow>
         )}
       </div>
@@ -121,11 +115,6 @@ export function EndColumn({
     </section>
   );
 }
-
-const assumptions: Record<Assumption, string> = {
-  order: "Assumed: the order of its numbers is not established, and is taken as x y z w.",
-  action: "Assumed: what it does to a vector is not established, and is taken as R(q).",
-};
 
 function WordRow({ symbol, children }: { symbol: ComponentChildren; children: ComponentChildren }) {
   return (
@@ -154,7 +143,7 @@ export function CodeLines({
         .map((line, at) => (
           <div key={at} class="code-line">
             <code>{line}</code>
-            <Copy of={at === 0 ? `the line of code of ${of}` : `the call of ${of}`} text={line} />
+            <Copy of={at === 0 ? words.copiedLine(of) : words.copiedCall(of)} text={line} />
           </div>
         ))}
     </div>

@@ -2,7 +2,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import type { BehaviourAxis, Contradiction, IdentifyReport, Probe } from "../engine.ts";
 import type { Store } from "../state.ts";
-import { settledValue } from "./identify_words.ts";
+import { settledValue } from "./identify_choices.ts";
 
 /** How an answer relates to the observations: theirs, that of earlier ones, or that of the others. */
 export type Age = "current" | "old" | "of-others";

@@ -1,6 +1,6 @@
 // Observations as texts by name, and the probes that the core proposes; pure but for the core.
 import type { Engine, Field, Language, NextProbe, Probe, ProbeKind } from "../engine.ts";
-import { kinds } from "./identify_words.ts";
+import { kinds } from "./identify_choices.ts";
 
 /** The texts that an observation may have. */
 export type TextName =

@@ -1,6 +1,6 @@
 // Finding a record by what people type; pure.
 import type { Library } from "../engine.ts";
-import { groupNames, languageNames } from "./library_words.ts";
+import { groupNames, languageNames } from "../words/library_behaviour.ts";
 
 const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
 

@@ -1,24 +1,18 @@
-// The words for what libraries do; the same in the picker, the table and the translation.
+// What is said of the behaviour of libraries; the same in the picker, the table and the translation.
 import type {
   AxisAngleSign,
-  ComponentOrder,
   Direction,
-  Endpoint,
-  Engine,
   Family,
   Group,
   HalfTurns,
   Known,
   Language,
-  Library,
   NonUnitResult,
   SignChoice,
   SlerpWay,
-  TranslatedEnd,
   VectorLayout,
   ZeroResult,
 } from "../engine.ts";
-import { lettersOf, nameOf } from "./words.ts";
 
 export const groupNames: Record<Group, string> = {
   robotics: "Robotics",
@@ -29,7 +23,6 @@ export const groupNames: Record<Group, string> = {
   mathematics: "Mathematics",
   devices: "Devices and formats",
 };
-export const groups = Object.keys(groupNames) as Group[];
 
 export const languageNames: Record<Language, string> = {
   python: "Python",
@@ -79,12 +72,6 @@ export const familyWords: Record<Family, [string, string]> = {
   ],
 };
 
-/** The accent of a family: the two labels have one, the others none. */
-export function accentOf(family: Family | undefined): "hamilton" | "jpl" | "custom" {
-  if (family === "hamilton") return "hamilton";
-  return family === "shuster" ? "jpl" : "custom";
-}
-
 export const nonUnitWords: Record<NonUnitResult, string> = {
   kept: "kept",
   normalised: "normalised",
@@ -126,49 +113,11 @@ export const axisAngleWords: Record<AxisAngleSign, string> = {
   negative: "−z: the conjugate of (cos θ/2, sin θ/2 n)",
 };
 
-export function libraryWith(engine: Engine, id: string | undefined): Library | undefined {
-  return engine.libraries.find((library) => library.id === id);
-}
-
-/** What an end is called. */
-export function endName(end: Endpoint, engine: Engine): string {
-  if (end.kind === "library") return libraryWith(engine, end.id)?.name ?? end.id;
-  return nameOf(end.convention, engine) ?? "Custom convention";
-}
-
-/** The order of a record: that of its array, or else of its constructor. */
-export function orderOf(library: Library): ComponentOrder | undefined {
-  return library.arrayOrder ?? library.constructorOrder;
-}
-
-/** The orders in which four numbers of a library stand: one, two, or none that is established. */
-export function ordersOf(library: Library): ComponentOrder[] {
-  return [...new Set([library.arrayOrder, library.constructorOrder])].filter(
-    (order) => order !== undefined,
-  );
-}
-
-/** What is established of the way a library acts; nothing that the core assumed. */
-export function establishedOf(end: TranslatedEnd | undefined) {
-  const acts = end !== undefined && !end.assumed.includes("action");
-  return {
-    action: acts ? end.action : undefined,
-    family: acts ? end.family : undefined,
-    first: acts ? end.firstToAct : undefined,
-  };
-}
-
-/** `x y z w, Hamilton · 1.17.1, run`. */
-export function aboutLibrary(library: Library, engine: Engine): string {
-  const { family } = establishedOf(engine.endOf(library.id));
-  const orders = ordersOf(library).map((order) => lettersOf[order]);
-  const behaviour = [orders.join(" / "), family && familyWords[family][0]].filter(Boolean);
-  const known = `${library.version}, ${knownWords[library.known][0]}`;
-  return behaviour.length === 0 ? known : `${behaviour.join(", ")} · ${known}`;
-}
+/** What an end of a translation is called that has no other name. */
+export const customConvention = "Custom convention";
 
 /** `constructor: kept, matrix: normalised`; empty where nothing is established. */
-export function listed<Result extends string>(
+export function resultWords<Result extends string>(
   results: object | undefined,
   words: Record<Result, string>,
 ): string {

@@ -1,0 +1,268 @@
+// The picture: what it shows, and turning it by keyboard, mouse and touch.
+import { readFile } from "node:fs/promises";
+import type { Page } from "@playwright/test";
+import {
+  expect,
+  matrix,
+  numbersOf,
+  quaternionField,
+  tabTo,
+  test,
+  violationsOf,
+} from "./support.ts";
+
+/** The eye on the world's x axis: y to the right, z up. */
+const fromX = "look=0,0";
+const stage = (page: Page) => page.getByRole("application", { name: "Picture of the turn" });
+
+async function press(page: Page, key: string, times: number) {
+  for (let presses = 0; presses < times; presses += 1) await page.keyboard.press(key);
+}
+
+/** A quarter turn in steps of 5°. */
+const quarter = 18;
+
+test("turning the body to the right turns it about the axis that points up", async ({ page }) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  await tabTo(page, stage(page));
+  await press(page, "Shift+ArrowRight", quarter);
+  // About z: the body's x axis points to the world's y.
+  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+  expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
+});
+
+test("turning it down turns it about the axis to the right, rolling about that to the eye", async ({
+  page,
+}) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  await stage(page).focus();
+  await press(page, "Shift+ArrowDown", quarter);
+  // About y: x to −z.
+  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0.707107 z=0");
+  await quaternionField(page).fill("1 0 0 0");
+  await stage(page).focus();
+  await press(page, "PageUp", quarter);
+  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0.707107 y=0 z=0");
+});
+
+test("what is written is in the declared convention", async ({ page }) => {
+  const turnFrom = async (declared: string) => {
+    await page.goto(`/#read?quaternion=w%3D1+x%3D0+y%3D0+z%3D0&${declared}&${fromX}`);
+    await stage(page).focus();
+    await press(page, "Shift+ArrowRight", quarter);
+    await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
+    return quaternionField(page).inputValue();
+  };
+  expect(await turnFrom("as=jpl")).toBe("x=0 y=0 z=0.707107 w=0.707107");
+  // The conjugate, where JPL states the direction body to world (Yoosefian 2021, eq. 18).
+  expect(await turnFrom("as=jpl&direction=body-to-world")).toBe("x=0 y=0 z=-0.707107 w=0.707107");
+  expect(await turnFrom("as=hamilton&direction=world-to-body")).toBe(
+    "w=0.707107 x=0 y=0 z=-0.707107",
+  );
+});
+
+test("what is written has the decimals that are shown", async ({ page }) => {
+  for (const [digits, written] of [
+    ["4", /^w=0\.7071 x=0 y=0 z=0\.7071$/],
+    ["all", /^w=0\.7071067811865\d+ x=.* z=0\.7071067811865\d+$/],
+  ] as const) {
+    await page.goto(`/#read?quaternion=1+0+0+0&digits=${digits}&${fromX}`);
+    await stage(page).focus();
+    await press(page, "Shift+ArrowRight", quarter);
+    await expect(quaternionField(page)).toHaveValue(written);
+  }
+});
+
+test("dragging the body turns it, dragging beside it looks round", async ({ page }) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  const box = await stage(page).boundingBox();
+  if (!box) throw new Error("no picture");
+  const [across, down] = [box.x + box.width / 2, box.y + box.height / 2 + 4];
+  await page.mouse.move(across + 6, down + 10);
+  await page.mouse.down();
+  // 360 units of paper across; 0.6° for each.
+  await page.mouse.move(across + 6 + (box.width / 360) * 150, down + 10, { steps: 10 });
+  await page.mouse.up();
+  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+  await expect(page).toHaveURL(/look=0,0/);
+
+  await page.mouse.move(box.x + 20, box.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 20 + (box.width / 360) * 50, box.y + 20, { steps: 5 });
+  await page.mouse.up();
+  await expect(page).toHaveURL(/look=-30,0/);
+  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+});
+
+test("a finger turns the body too", async ({ browser, baseURL }) => {
+  const context = await browser.newContext({
+    hasTouch: true,
+    viewport: { width: 390, height: 800 },
+  });
+  const page = await context.newPage();
+  await page.goto(`${baseURL}#read?quaternion=1+0+0+0&${fromX}`);
+  await stage(page).scrollIntoViewIfNeeded();
+  const box = await stage(page).boundingBox();
+  if (!box) throw new Error("no picture");
+  const session = await context.newCDPSession(page);
+  const touch = (type: "touchStart" | "touchMove" | "touchEnd", moved: number) =>
+    session.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints:
+        type === "touchEnd"
+          ? []
+          : [{ x: box.x + box.width / 2 + 4 + moved, y: box.y + box.height / 2 + 12 }],
+    });
+  await touch("touchStart", 0);
+  for (const part of [0.25, 0.5, 0.75, 1]) await touch("touchMove", (part * 150 * box.width) / 360);
+  await touch("touchEnd", 0);
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
+  await context.close();
+});
+
+test("active and passive: the vector moves, or the axes do", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("/#read?quaternion=90deg+about+z&vector=1+0+0");
+  const letters = () => stage(page).locator("text").allTextContents();
+  await expect(stage(page)).toBeVisible();
+  expect((await letters()).sort()).toEqual(["90°", "x", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
+  await expect(stage(page)).toHaveAccessibleDescription(
+    /A turn by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector x is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
+  );
+  await page.getByRole("radio", { name: "Active" }).focus();
+  await page.keyboard.press("Space");
+  expect((await letters()).sort()).toEqual(["90°", "x", "x′", "xW", "yW", "zW"].sort());
+  await expect(stage(page)).toHaveAccessibleDescription(
+    /R\(q\) turns x into x′, by 90° about z.*x = \[1, 0, 0\] becomes x′ = \[0, 1, 0\]/,
+  );
+  // JPL's C(q) of the same attitude turns a vector the other way.
+  await page.getByRole("radio", { name: /^JPL/ }).check();
+  await expect(stage(page)).toHaveAccessibleDescription(
+    /C\(q\) turns x into x′, by 90° about −z.*x = \[1, 0, 0\] becomes x′ = \[0, −1, 0\]/,
+  );
+  await expect(page).toHaveURL(/picture=active/);
+});
+
+test("the change of reading is shown once, and at once for those who want less motion", async ({
+  page,
+}) => {
+  const frames = async () => {
+    await page.goto("/#read?quaternion=90deg+about+z&vector=1+0+0");
+    await stage(page).waitFor();
+    await page.evaluate(() => {
+      const drawing = document.querySelector(".stage svg");
+      const seen = new Set<string>();
+      Object.assign(globalThis, { seen });
+      new MutationObserver(() => seen.add(drawing?.innerHTML ?? "")).observe(drawing as Element, {
+        attributes: true,
+        childList: true,
+        subtree: true,
+      });
+    });
+    await page.getByRole("radio", { name: "Active" }).check();
+    const shaft = stage(page).locator("line[stroke='var(--picture-accent)']").last();
+    await expect(shaft).toBeAttached();
+    const count = () =>
+      page.evaluate(() => (globalThis as unknown as { seen: Set<string> }).seen.size);
+    let last = -1;
+    // Until nothing changes between two looks.
+    await expect
+      .poll(
+        async () => {
+          const now = await count();
+          const isStill = now === last;
+          last = now;
+          return isStill;
+        },
+        { intervals: [300] },
+      )
+      .toBe(true);
+    return last;
+  };
+  expect(await frames()).toBeGreaterThan(5);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("about:blank");
+  expect(await frames()).toBeLessThanOrEqual(2);
+});
+
+test("the same numbers under the other product are a second pose", async ({ page }) => {
+  await page.goto("/#read?quaternion=90deg+about+z");
+  await page.getByRole("checkbox", { name: "Also read as JPL, body → world" }).check();
+  await expect(stage(page)).toHaveAccessibleDescription(
+    /^Dashed: the same four numbers read as JPL, body → world: the opposite turn/,
+  );
+  const letters = await stage(page).locator("text").allTextContents();
+  expect(letters).toEqual(expect.arrayContaining(["xH", "xJ", "yH", "yJ", "zH", "zJ"]));
+  await quaternionField(page).fill("180deg about z");
+  await expect(stage(page)).toHaveAccessibleDescription(/are the same pose/);
+});
+
+test("the picture is saved as an SVG that needs nothing else", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.goto(`/#read?quaternion=90deg+about+z&vector=1+0+0&${fromX}`);
+  const saving = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save SVG" }).click();
+  const download = await saving;
+  expect(download.suggestedFilename()).toBe("quatlas-rotation.svg");
+  const text = await readFile(await download.path(), "utf8");
+  expect(text).toMatch(/^<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
+  expect(text).toContain("<title>Picture of the turn</title>");
+  expect(text).toMatch(/<desc>A turn by 90° about z carries/);
+  expect(text).not.toMatch(/var\(|class=| style=|NaN|undefined|href|script/);
+  const opened = await page.evaluate((source) => {
+    const { documentElement } = new DOMParser().parseFromString(source, "image/svg+xml");
+    return [documentElement.nodeName, documentElement.querySelectorAll("line").length];
+  }, text);
+  expect(opened[0]).toBe("svg");
+  expect(opened[1]).toBeGreaterThan(50);
+});
+
+test("a picture without a turn, or without a vector, is one without its parts", async ({
+  page,
+}) => {
+  await page.goto("/#read?quaternion=1+0+0+0&vector=0+0+0");
+  await expect(stage(page)).toHaveAccessibleDescription(/^No turn/);
+  expect(await stage(page).locator("text").allTextContents()).not.toContain("x");
+});
+
+test("compose: step by step about fixed and about moving axes, to one pose", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("/#compose?p=90deg+about+z&q=90deg+about+x");
+  const fixed = page.getByRole("application", { name: "Picture of the turns about fixed axes" });
+  const moving = page.getByRole("application", { name: "Picture of the turns about moving axes" });
+  const body = (which: typeof fixed) =>
+    which
+      .locator(".picture-body path")
+      .evaluateAll((paths) => paths.map((path) => path.getAttribute("d")));
+  await expect(fixed).toHaveAccessibleDescription(
+    /q: 90° about x of the world\. p: 90° about z of the world/,
+  );
+  await expect(moving).toHaveAccessibleDescription(
+    /p: 90° about z of the body\. q: 90° about x of the body/,
+  );
+  expect(await body(fixed)).toEqual(await body(moving));
+  await page.getByRole("radio", { name: "After the first turn" }).focus();
+  await page.keyboard.press("Space");
+  await expect(fixed).toHaveAccessibleDescription(/^q: 90° about x of the world\. Drag/);
+  await expect(moving).toHaveAccessibleDescription(/^p: 90° about z of the body\. Drag/);
+  expect(await body(fixed)).not.toEqual(await body(moving));
+  await page.keyboard.press("ArrowLeft");
+  await expect(fixed).toHaveAccessibleDescription(/^The body stands on the world axes/);
+  expect(await body(fixed)).toEqual(await body(moving));
+  await page.getByRole("button", { name: "Play" }).press("Enter");
+  await expect(page.getByRole("radio", { name: "After both" })).toBeChecked();
+  // JPL p ⊗ q: first p about fixed axes.
+  await page.getByRole("radio", { name: /^JPL/ }).check();
+  await expect(fixed).toHaveAccessibleDescription(
+    /p: 90° about z of the world\. q: 90° about x of the world/,
+  );
+});
+
+test("axe finds nothing on either picture", async ({ page }) => {
+  await page.goto("/#read?poses=both");
+  await stage(page).waitFor();
+  expect(await violationsOf(page)).toEqual([]);
+  await page.goto("/#compose");
+  await page.getByRole("application").first().waitFor();
+  expect(await violationsOf(page)).toEqual([]);
+});

@@ -1,0 +1,180 @@
+// A scene as the elements of an SVG; colours are custom properties, so that they follow the theme.
+import { type Camera, type OnPaper, onPaper } from "./camera.ts";
+import { apart } from "./labels.ts";
+import { isHidden, type PaintedLine, type Plane, painted, planesOf } from "./occlusion.ts";
+import type { Label, Scene } from "./scene.ts";
+import { dot, turned } from "./space.ts";
+
+interface Pen {
+  colour: string;
+  width: number;
+  dash?: string;
+  opacity?: number;
+}
+
+const axisPens = (kind: string, pen: Omit<Pen, "colour">): [string, Pen][] =>
+  ["x", "y", "z"].map((letter) => [
+    `${kind}-${letter}`,
+    { colour: `var(--axis-${letter})`, ...pen },
+  ]);
+
+const pens: Record<string, Pen> = {
+  ...Object.fromEntries([
+    ...axisPens("world", { width: 1.2 }),
+    ...axisPens("body", { width: 2.6 }),
+    ...axisPens("ghost", { width: 1.4, dash: "2 3" }),
+  ]),
+  ghost: { colour: "var(--picture-ink)", width: 1, dash: "3 2", opacity: 0.75 },
+  ground: { colour: "var(--picture-soft)", width: 0.8, opacity: 0.5 },
+  turn: { colour: "var(--picture-ink)", width: 1.4 },
+  "turn-axis": { colour: "var(--picture-ink)", width: 1, dash: "5 3" },
+  before: { colour: "var(--picture-soft)", width: 2.6 },
+  after: { colour: "var(--picture-accent)", width: 2.6 },
+  way: { colour: "var(--picture-accent)", width: 1.2, dash: "1 2.5" },
+};
+const plainPen: Pen = { colour: "var(--picture-ink)", width: 1 };
+
+export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
+  const planes = planesOf(scene.pose, camera);
+  const { behind, before } = painted(scene.lines, planes, camera);
+  const texts = apart(
+    scene.labels.map((label) => ({
+      label,
+      at: onPaper(label.at, camera),
+      isHidden: isHidden(label.at, planes, camera),
+    })),
+  );
+  return (
+    <>
+      <g fill="none" stroke-linecap="round" pointer-events="none">
+        {behind.map((line, at) => (
+          <PenLine key={at} line={line} />
+        ))}
+      </g>
+      <g class="picture-body" stroke-linejoin="round" stroke-linecap="round">
+        {planes
+          .filter(({ isFacing }) => isFacing)
+          .map((plane) => (
+            <Side key={plane.face} plane={plane} scene={scene} camera={camera} />
+          ))}
+      </g>
+      <g fill="none" stroke-linecap="round" pointer-events="none">
+        {before.map((line, at) => (
+          <PenLine key={at} line={line} />
+        ))}
+      </g>
+      <g
+        font-family="IBM Plex Serif, STIX Two Text, Times New Roman, serif"
+        font-style="italic"
+        font-size="15"
+        text-anchor="middle"
+        pointer-events="none"
+      >
+        {texts.map(({ label, at, isHidden }, index) => (
+          <Lettering key={index} label={label} at={at} opacity={isHidden ? 0.4 : 1} />
+        ))}
+      </g>
+    </>
+  );
+}
+
+/** Hundredths of a unit of paper are finer than any screen. */
+const fine = (number: number) => Number(number.toFixed(2));
+const tipLength = 8;
+const tipWidth = 3.2;
+
+function PenLine({ line: { from, to, pen, tip } }: { line: PaintedLine }) {
+  const { colour, width, dash, opacity } = pens[pen] ?? plainPen;
+  const [across, down] = [to.across - from.across, to.down - from.down];
+  const length = Math.hypot(across, down);
+  // A tip needs a shaft that shows its direction.
+  const hasTip = tip !== undefined && length > 0.5;
+  const [u, v] = hasTip ? [across / length, down / length] : [0, 0];
+  const cut = hasTip ? Math.min(length, tipLength * 0.7) : 0;
+  const size = width > 2 ? 1.15 : 0.85;
+  const base = { across: to.across - u * tipLength * size, down: to.down - v * tipLength * size };
+  const side = tipWidth * size;
+  return (
+    <>
+      <line
+        x1={fine(from.across)}
+        y1={fine(from.down)}
+        x2={fine(to.across - u * cut)}
+        y2={fine(to.down - v * cut)}
+        stroke={colour}
+        stroke-width={width}
+        {...(dash ? { "stroke-dasharray": dash } : {})}
+        {...(opacity ? { "stroke-opacity": opacity } : {})}
+      />
+      {hasTip && (
+        <path
+          d={`M${fine(to.across)} ${fine(to.down)}L${fine(base.across - v * side)} ${fine(base.down + u * side)}L${fine(base.across + v * side)} ${fine(base.down - u * side)}Z`}
+          fill={colour}
+        />
+      )}
+    </>
+  );
+}
+
+const pathOf = (points: readonly OnPaper[]) =>
+  `M${points.map(({ across, down }) => `${fine(across)} ${fine(down)}`).join("L")}Z`;
+
+/** How dark a side is that looks away from the light, which comes over the viewer's shoulder. */
+const darkest = 0.3;
+
+function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Camera }) {
+  const { face, normal } = plane;
+  const place = (point: Parameters<typeof turned>[0]) => onPaper(turned(point, scene.pose), camera);
+  const d = pathOf(face.corners.map(place));
+  const light = dot(normal, camera.back) * 0.55 + dot(normal, camera.up) * 0.45;
+  const shade = fine(darkest * (1 - Math.max(0, light)));
+  return (
+    <>
+      <path d={d} fill={face.letter ? `var(--side-${face.letter})` : "var(--side)"} />
+      <path
+        d={d}
+        fill="#000"
+        fill-opacity={shade}
+        stroke="var(--picture-edge)"
+        stroke-width="1.1"
+      />
+      {face.strokes.length > 0 && (
+        <path
+          d={face.strokes
+            .map(([from, to]) => {
+              const [a, b] = [place(from), place(to)];
+              return `M${fine(a.across)} ${fine(a.down)}L${fine(b.across)} ${fine(b.down)}`;
+            })
+            .join("")}
+          fill="none"
+          stroke={`var(--axis-${face.letter})`}
+          stroke-width="1.8"
+        />
+      )}
+    </>
+  );
+}
+
+/** What stands behind the solid has a fainter letter. */
+function Lettering({ label, at, opacity }: { label: Label; at: OnPaper; opacity: number }) {
+  const colour = pens[label.pen]?.colour ?? "var(--picture-ink)";
+  return (
+    <text
+      x={fine(at.across)}
+      y={fine(at.down + 5)}
+      fill={colour}
+      stroke="var(--picture-paper)"
+      stroke-width="3"
+      stroke-linejoin="round"
+      paint-order="stroke"
+      {...(opacity < 1 ? { opacity } : {})}
+    >
+      {label.text}
+      {label.frame && (
+        <tspan font-size="10.5" dy="3">
+          {label.frame}
+        </tspan>
+      )}
+    </text>
+  );
+}

@@ -1,0 +1,181 @@
+// The picture of the Read view: one attitude, its axis, a vector; turning it writes the quaternion.
+import { useId, useMemo, useRef } from "preact/hooks";
+import type { PictureState, Reading } from "../address_picture.ts";
+import type { ReadReport } from "../engine.ts";
+import { shownArray, shownAxis, shownRoughAngle } from "../format.ts";
+import { declaredConvention, type Store } from "../state.ts";
+import { arrowOf, presetOf, wordsOf } from "../view/words.ts";
+import {
+  activeWords,
+  axesWords,
+  noTurnWords,
+  otherPoseWords,
+  passiveWords,
+  readPictureLabel,
+  samePoseWords,
+  turnWords,
+  vectorWords,
+  pictureWords as words,
+} from "../words/picture.ts";
+import { useMotion } from "./motion.ts";
+import { operatorTurn, readingOf, readScene, vectorInWorld } from "./read_scene.ts";
+import { Stage } from "./Stage.tsx";
+import { saveFile, svgText } from "./save.ts";
+import { composed, ofNormOne, type Quaternion } from "./space.ts";
+import { poseAsText } from "./written.ts";
+
+export function ReadPicture({ store }: { store: Store }) {
+  const shown = store.read.value;
+  return shown ? <Shown store={store} report={shown.report} /> : null;
+}
+
+/** In a picture, more than four decimals say nothing. */
+const coarse = (numbers: readonly number[]) =>
+  shownArray(
+    numbers.map((number) => Number(number.toFixed(4)) + 0),
+    "all",
+  );
+
+function Shown({ store, report }: { store: Store; report: ReadReport }) {
+  const { picture, unit } = store.state.value;
+  const frame = useRef<HTMLDivElement>(null);
+  const describedBy = useId();
+  const motion = useMotion();
+  const reading = readingOf(report, picture);
+  const change = (changed: Partial<PictureState>) =>
+    store.set({ picture: { ...store.state.peek().picture, ...changed } });
+  const angle = shownRoughAngle(report.turn.angleDeg, unit, 4);
+  const { scene } = useMemo(
+    () => readScene(report, picture, angle, motion.progress),
+    [report, picture, angle, motion.progress],
+  );
+  const description = describe(report, reading, picture, angle);
+
+  const written = useRef<{ pose: Quaternion; text: string }>(undefined);
+  const onTurn = (turn: Quaternion) => {
+    const state = store.state.peek();
+    // Going on from what was written last, the pose is known with more digits than the text has.
+    const last = written.current?.text === state.quaternion ? written.current.pose : undefined;
+    const pose = ofNormOne(composed(turn, last ?? report.hamilton.unit));
+    const convention = declaredConvention(state, store.engine);
+    const text = poseAsText(pose, convention, report.rules, state.digits);
+    written.current = { pose, text };
+    store.set({ quaternion: text });
+  };
+
+  const save = () => {
+    const stage = frame.current?.querySelector<SVGSVGElement>(".stage svg");
+    if (stage) saveFile(words.fileName, svgText(stage, readPictureLabel, description.join(" ")));
+  };
+
+  return (
+    <div ref={frame}>
+      <div class="picture-bar">
+        <fieldset class="picture-readings">
+          <legend class="visually-hidden">{words.reading}</legend>
+          {(["passive", "active"] as const).map((name) => (
+            <label key={name}>
+              <input
+                type="radio"
+                name="reading"
+                value={name}
+                checked={name === reading}
+                onChange={() => {
+                  change({ reading: name });
+                  motion.start();
+                }}
+              />
+              <span class="picture-reading">{words.readings[name].name}</span>{" "}
+              <span class="picture-meaning">{words.readings[name].meaning}</span>
+            </label>
+          ))}
+        </fieldset>
+      </div>
+      <Stage
+        scene={scene}
+        look={picture.look}
+        label={readPictureLabel}
+        describedBy={describedBy}
+        onLook={(look) => change({ look })}
+        onTurn={onTurn}
+      />
+      <p class="picture-hint">{words.hands}</p>
+      <p class="picture-says" id={describedBy}>
+        {description[0]}
+        <span class="visually-hidden">
+          {" "}
+          {description.slice(1).join(" ")} {words.keys}
+        </span>
+      </p>
+      <div class="picture-bar picture-hands">
+        <label class="picture-check">
+          <input
+            type="checkbox"
+            checked={picture.poses === "both"}
+            onChange={({ currentTarget }) =>
+              change({ poses: currentTarget.checked ? "both" : "one", reading: "passive" })
+            }
+          />
+          <span>
+            {words.both(otherName(report), arrowOf(report.declared.convention.direction))}
+          </span>
+        </label>
+        <button type="button" class="text-button" onClick={save}>
+          {words.save}
+        </button>
+      </div>
+    </div>
+  );
+}
+
+const otherHand = { right: "left", left: "right" } as const;
+
+/** The name of the product that was not declared. */
+const otherName = ({ declared }: ReadReport) =>
+  wordsOf[presetOf[otherHand[declared.convention.handedness]]].name;
+
+/** What is seen, in sentences: the first one stands below the picture, all of them are read aloud. */
+function describe(
+  report: ReadReport,
+  reading: Reading,
+  { poses }: PictureState,
+  angle: string,
+): string[] {
+  const { turn, vector, declared } = report;
+  const { handedness, direction } = declared.convention;
+  const isActive = reading === "active";
+  const rows = report.hamilton.matrix;
+  const ends = [0, 1, 2].map((column) => coarse(rows.map((row) => row[column] ?? 0))) as [
+    string,
+    string,
+    string,
+  ];
+  const sentences: string[] = [];
+  const turning = isActive ? operatorTurn(report) : turn.axis && { ...turn, axis: turn.axis };
+  const hasVector = vector.some((number) => number !== 0) && declared.image !== undefined;
+  if (!isActive && poses === "both" && turn.axis) {
+    const isSame = turn.angleDeg === 180;
+    const words = isSame ? samePoseWords : otherPoseWords;
+    sentences.push(words(otherName(report), arrowOf(direction)));
+  }
+  if (turning === undefined) sentences.push(noTurnWords);
+  else {
+    const words = turnWords(angle, shownAxis(turning.axis, "4"));
+    const matrix = `${wordsOf[presetOf[handedness]].matrix}(q)`;
+    sentences.push(
+      isActive ? activeWords(words, matrix, hasVector) : passiveWords(words, hasVector),
+    );
+  }
+  sentences.push(axesWords(ends));
+  const { image } = declared;
+  const inWorld = vectorInWorld(report);
+  if (hasVector && image && inWorld) {
+    const inBody = report.rules.operator === "body-to-world" ? vector : image;
+    sentences.push(
+      isActive
+        ? vectorWords.active(coarse(vector), coarse(image))
+        : vectorWords.passive(coarse(inWorld), coarse(inBody)),
+    );
+  }
+  return sentences;
+}

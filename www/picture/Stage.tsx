@@ -1,0 +1,106 @@
+// The drawing, and the hands on it: drag or arrow keys go round it, or turn the body.
+import { useRef } from "preact/hooks";
+import { pictureWords as words } from "../words/picture.ts";
+import { cameraOf, type Look, orbited, paper, rollAsSeen, turnAsSeen } from "./camera.ts";
+import { Drawing } from "./Drawing.tsx";
+import type { Scene } from "./scene.ts";
+import type { Quaternion } from "./space.ts";
+
+/** Degrees for a drag across one unit of paper, and for one press of a key. */
+const degreesPerUnit = 0.6;
+const degreesPerPress = 5;
+
+const arrows: Record<string, readonly [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+const rolls: Record<string, number> = { PageUp: 1, PageDown: -1 };
+
+export function Stage({
+  scene,
+  look,
+  label,
+  describedBy,
+  onLook,
+  onTurn,
+}: {
+  scene: Scene;
+  look: Look;
+  label: string;
+  describedBy: string;
+  onLook: (look: Look) => void;
+  /** A turn of the body about axes that are fixed in the world; nothing where it cannot be turned. */
+  onTurn?: ((turn: Quaternion, by: "drag" | "key") => void) | undefined;
+}) {
+  const camera = cameraOf(look);
+  const held = useRef<
+    { id: number; across: number; down: number; turns: "view" | "body" } | undefined
+  >(undefined);
+
+  const point = (event: PointerEvent, stage: Element) => {
+    const { width } = stage.getBoundingClientRect();
+    const unit = paper.width / width;
+    return { across: event.clientX * unit, down: event.clientY * unit };
+  };
+
+  const move = (turns: "view" | "body", right: number, down: number, by: "drag" | "key") => {
+    if (turns === "body") onTurn?.(turnAsSeen(camera, right, down), by);
+    // What is in front follows the hand, so the eye goes the other way.
+    else onLook(orbited(look, -right, down));
+  };
+
+  return (
+    // The one role that leaves the arrow keys to the drawing.
+    <div
+      class={`stage ${onTurn ? "stage-turns" : ""}`}
+      role="application"
+      aria-roledescription={words.role}
+      aria-label={label}
+      aria-describedby={describedBy}
+      // biome-ignore lint/a11y/noNoninteractiveTabindex: an application takes the keys.
+      tabIndex={0}
+      onKeyDown={(event) => {
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        const arrow = arrows[event.key];
+        const roll = rolls[event.key];
+        if (arrow) {
+          const [right, down] = arrow;
+          const turns = event.shiftKey ? "body" : "view";
+          move(turns, right * degreesPerPress, down * degreesPerPress, "key");
+        } else if (roll !== undefined && onTurn) {
+          onTurn(rollAsSeen(camera, roll * degreesPerPress), "key");
+        } else return;
+        event.preventDefault();
+      }}
+      onPointerDown={(event) => {
+        if (event.button !== 0 || held.current) return;
+        const isBody = (event.target as Element).closest(".picture-body") !== null;
+        held.current = {
+          id: event.pointerId,
+          ...point(event, event.currentTarget),
+          turns: isBody && onTurn ? "body" : "view",
+        };
+        event.currentTarget.setPointerCapture(event.pointerId);
+      }}
+      onPointerMove={(event) => {
+        const from = held.current;
+        if (from?.id !== event.pointerId) return;
+        const to = point(event, event.currentTarget);
+        held.current = { ...from, ...to };
+        const [right, down] = [to.across - from.across, to.down - from.down];
+        if (right === 0 && down === 0) return;
+        move(from.turns, right * degreesPerUnit, down * degreesPerUnit, "drag");
+      }}
+      onLostPointerCapture={() => {
+        held.current = undefined;
+      }}
+    >
+      <svg viewBox={`0 0 ${paper.width} ${paper.height}`} aria-hidden="true">
+        <Drawing scene={scene} camera={camera} />
+      </svg>
+    </div>
+  );
+}

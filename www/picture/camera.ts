@@ -1,0 +1,89 @@
+// Where the picture is seen from, and where a point of space stands on paper; pure.
+import { cross, directionOf, dot, minus, plus, times, turnAbout, type Vector } from "./space.ts";
+
+/** The eye goes round the origin: azimuth from world x to y, elevation towards z. */
+export interface Look {
+  azimuthDeg: number;
+  elevationDeg: number;
+}
+
+export const firstLook: Look = { azimuthDeg: 30, elevationDeg: 22 };
+
+/** How far the eye is from the origin, in units of space. */
+const eyeDistance = 7;
+/** Where one unit at the origin has its true size, in units of paper. */
+const scale = 94;
+export const paper = { width: 360, height: 300 };
+const centre = { across: paper.width / 2, down: paper.height / 2 + 9 };
+/** Straight from above, right and up would be unknown. */
+const steepest = 89;
+
+export interface Camera {
+  eye: Vector;
+  right: Vector;
+  up: Vector;
+  /** From the origin to the eye. */
+  back: Vector;
+}
+
+export interface OnPaper {
+  across: number;
+  down: number;
+  /** How far from the eye, along its line of sight. */
+  depth: number;
+}
+
+const radians = (degrees: number) => (degrees * Math.PI) / 180;
+
+export function cameraOf({ azimuthDeg, elevationDeg }: Look): Camera {
+  const azimuth = radians(azimuthDeg);
+  const elevation = radians(elevationDeg);
+  const back: Vector = [
+    Math.cos(elevation) * Math.cos(azimuth),
+    Math.cos(elevation) * Math.sin(azimuth),
+    Math.sin(elevation),
+  ];
+  const right: Vector = [-Math.sin(azimuth), Math.cos(azimuth), 0];
+  return { eye: times(back, eyeDistance), right, up: cross(back, right), back };
+}
+
+/** Central projection: what is nearer is larger. */
+export function onPaper(point: Vector, camera: Camera): OnPaper {
+  const depth = eyeDistance - dot(point, camera.back);
+  const size = (scale * eyeDistance) / depth;
+  return {
+    across: centre.across + size * dot(point, camera.right),
+    down: centre.down - size * dot(point, camera.up),
+    depth,
+  };
+}
+
+/** The look after going round by these angles: to the right, and up. */
+export function orbited({ azimuthDeg, elevationDeg }: Look, rightDeg: number, upDeg: number): Look {
+  return {
+    azimuthDeg: inTurn(azimuthDeg + rightDeg),
+    elevationDeg: Math.max(-steepest, Math.min(steepest, elevationDeg + upDeg)),
+  };
+}
+
+/** From −180 (not included) to 180. */
+function inTurn(degrees: number): number {
+  const rest = ((degrees % 360) + 360) % 360;
+  return rest > 180 ? rest - 360 : rest;
+}
+
+/** The turn that carries what is in front to the right and down by these angles, as seen. */
+export function turnAsSeen(camera: Camera, rightDeg: number, downDeg: number) {
+  const axis = plus(times(camera.up, rightDeg), times(camera.right, downDeg));
+  return turnAbout(directionOf(axis) ?? camera.up, radians(Math.hypot(rightDeg, downDeg)));
+}
+
+/** The turn of the paper itself, counter-clockwise as seen. */
+export function rollAsSeen(camera: Camera, counterClockwiseDeg: number) {
+  return turnAbout(camera.back, radians(counterClockwiseDeg));
+}
+
+/** Whether the eye sees the side of a plane that its normal points to. */
+export function isFacing(normal: Vector, point: Vector, camera: Camera): boolean {
+  return dot(normal, minus(camera.eye, point)) > 0;
+}

@@ -1,0 +1,62 @@
+// The probes and the seven choices of the Identify view, in the order in which they are shown.
+import type { Preset } from "../address.ts";
+import type { BehaviourAxis, Family, Language, ProbeKind, Remaining } from "../engine.ts";
+import { languageNames } from "../words/library_behaviour.ts";
+import { type ChoiceValues, choiceWords } from "../words/observations.ts";
+
+/** The order in which they are offered. */
+export const kinds = [
+  ...(["product", "rotate", "matrix", "from-matrix"] as const),
+  ...(["components", "quarter-turn", "perturb"] as const),
+] satisfies ProbeKind[];
+
+/** Languages of code lines; a message has none of its own. */
+export const codeLanguages = (Object.keys(languageNames) as Language[]).filter(
+  (language) => language !== "message",
+);
+
+/** First what the library does, then how its user means an attitude. */
+export const choicesOfLibrary = [
+  ...(["constructor", "array", "handedness", "rotate", "matrix"] as const),
+] satisfies BehaviourAxis[];
+export const choicesOfUse = ["attitude", "perturbation"] as const satisfies BehaviourAxis[];
+
+/** Both values of each choice. */
+export const valuesOf: {
+  [Choice in BehaviourAxis]: readonly [ChoiceValues[Choice], ChoiceValues[Choice]];
+} = {
+  constructor: ["scalar-first", "scalar-last"],
+  array: ["scalar-first", "scalar-last"],
+  handedness: ["right", "left"],
+  rotate: ["R", "C"],
+  matrix: ["R", "C"],
+  attitude: ["canonical", "conjugated"],
+  perturbation: ["local", "global"],
+};
+
+/** The convention that has a value as its own. */
+export const presetOfValue: Readonly<Record<string, Preset | undefined>> = {
+  right: "hamilton",
+  left: "jpl",
+  R: "hamilton",
+  C: "jpl",
+};
+
+/** A value in words. */
+export function wordsOfValue(choice: BehaviourAxis, value: string): string {
+  const words: Record<string, string> = choiceWords[choice].values;
+  return words[value] ?? value;
+}
+
+/** The value of a choice that is left; nothing while both are, or none. */
+export function settledValue(remaining: Remaining, choice: BehaviourAxis): string | undefined {
+  const values: readonly string[] = remaining[choice];
+  return values.length === 1 ? values[0] : undefined;
+}
+
+/** What product and rotation make together, once both are settled. */
+export function settledFamily({ handedness, rotate }: Remaining): Family | undefined {
+  if (handedness.length !== 1 || rotate.length !== 1) return undefined;
+  if (handedness[0] === "right") return rotate[0] === "R" ? "hamilton" : "transposed-matrix";
+  return rotate[0] === "C" ? "shuster" : "reversed-product";
+}

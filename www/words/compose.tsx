@@ -1,0 +1,58 @@
+// The words of the Compose view.
+import type { ComponentChildren } from "preact";
+
+/** A symbol or a formula inside a sentence. */
+type Symbols = ComponentChildren;
+
+export const input = "Input";
+export const equals = (one: string, other: string) => `${one} equals ${other}`;
+export const tie = "the same numbers, transposed matrices";
+
+/** The operand that acts first, and the other one. */
+export const firstThen = (first: Symbols, then: Symbols) => (
+  <>
+    first {first}, then {then}
+  </>
+);
+
+export const declared = (product: string) => `${product} as declared`;
+
+export const onAxes = (vector: Symbols, frame: string) => (
+  <>
+    {vector} on the axes of {frame}
+  </>
+);
+
+export const afterOnAxes = (operand: Symbols, frame: string) => (
+  <>
+    after {operand}, on the axes of {frame}
+  </>
+);
+
+export const beyond = "beyond a double";
+export const yours = "your convention";
+
+export const meet = (
+  convention: string,
+  direction: string,
+  [right, left]: [Symbols, Symbols],
+  [start, middle, end]: [string, string, string],
+) => (
+  <>
+    In {convention}, {direction}, {right} leads from {start} to {middle} and {left} from {middle} to{" "}
+    {end}: they meet in {middle}. W is the world, B the body, B′ a second body mounted on B.
+  </>
+);
+
+export const commute =
+  "These two commute: all four products are the same quaternion, so they cannot show which order a program uses.";
+
+export const anticommute =
+  "Swapped, these two give −1 times the same quaternion: the same rotation, so they cannot show which order a program uses.";
+
+export const turns = (first: Symbols, other: Symbols) => (
+  <>
+    As turns of the body: about the fixed axes first {first}, then {other}; about the moving axes
+    first {other}, then {first}.
+  </>
+);

@@ -1,0 +1,124 @@
+// All English of the page stands in this folder, one file for each part of the page, plurals and the
+// order of words included: who translates the page edits these files and no other. Only index.html,
+// which is read before any script, has its own. Symbols, formulas and the letters of mathematics may
+// stand in the views.
+//
+// Here: what the texts, the two presets and the five axes are called; the same everywhere.
+import type { Axis } from "../address.ts";
+import type { ComponentOrder, Convention, Direction, Field } from "../engine.ts";
+
+/** What a text is called in formulas. */
+export const symbolOf: Record<Field, string> = {
+  quaternion: "q",
+  p: "p",
+  q: "q",
+  vector: "x",
+  from: "from",
+  to: "to",
+  "world-axes": "world axes",
+  "body-axes": "body axes",
+  a: "a",
+  b: "b",
+  matrix: "M",
+  "rotation-vector": "φ",
+  printed: "printed",
+};
+
+/** The four numbers in an order. */
+export const lettersOf: Record<ComponentOrder, string> = {
+  "scalar-first": "w x y z",
+  "scalar-last": "x y z w",
+};
+
+const arrows: Record<Direction, string> = {
+  "body-to-world": "body → world",
+  "world-to-body": "world → body",
+};
+
+/** A direction as it stands beside a matrix. */
+export const arrowOf = (direction: Direction) => arrows[direction];
+
+/** What the two presets are called and do. */
+export const wordsOf = {
+  hamilton: {
+    name: "Hamilton",
+    meaning: "w x y z, ij = k, body to world",
+    matrix: "R",
+    product: "ij = k",
+    order: "[w, x, y, z]",
+    direction: "body → world",
+    reversed: "world → body",
+    effect: "Takes coordinates in the body frame to coordinates in the world frame.",
+    vector: "x on the body axes, seen in the world",
+  },
+  jpl: {
+    name: "JPL",
+    meaning: "x y z w, ij = −k, world to body",
+    matrix: "C",
+    product: "ij = −k",
+    order: "[x, y, z, w]",
+    direction: "world → body",
+    reversed: "body → world",
+    effect: "Takes coordinates in the world frame to coordinates in the body frame.",
+    vector: "x on the world axes, seen in the body",
+  },
+} as const;
+
+/** What the conventions are called that have a name. */
+export const conventionNames = {
+  hamilton: "Hamilton",
+  jpl: "JPL",
+  eigen: "Hamilton as Eigen and ROS store it",
+  eq18: "JPL of Yoosefian 2021, eq. 18",
+  "my-lab": "“My Lab” of the field guide",
+} as const;
+
+/** What the values of each axis are called, and what they do. */
+export const axisWords: {
+  [Name in Axis]: {
+    name: string;
+    asks: string;
+    values: Record<Convention[Name], [string, string]>;
+  };
+} = {
+  order: {
+    name: "Order",
+    asks: "where the scalar stands",
+    values: {
+      "scalar-first": ["scalar first", "[w, x, y, z]"],
+      "scalar-last": ["scalar last", "[x, y, z, w]"],
+    },
+  },
+  handedness: {
+    name: "Handedness",
+    asks: "which product",
+    values: {
+      right: ["right", "ij = k: p ⊙ q, Hamilton"],
+      left: ["left", "ij = −k: p ⊗ q, JPL (Shuster)"],
+    },
+  },
+  function: {
+    name: "Function",
+    asks: "what moves",
+    values: {
+      passive: ["passive", "the vector stays, its coordinates change"],
+      active: ["active", "the axes stay, the vector moves"],
+    },
+  },
+  direction: {
+    name: "Direction",
+    asks: "from which frame to which",
+    values: {
+      "body-to-world": ["body to world", "from the body frame to the world frame"],
+      "world-to-body": ["world to body", "from the world frame to the body frame"],
+    },
+  },
+  perturbation: {
+    name: "Perturbation",
+    asks: "whose axes a small turn is on",
+    values: {
+      local: ["local", "on the axes of the body"],
+      global: ["global", "on the axes of the world"],
+    },
+  },
+};

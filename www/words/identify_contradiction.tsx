@@ -1,0 +1,22 @@
+// What is said of observations that contradict each other.
+import type { BehaviourAxis, Contradiction } from "../engine.ts";
+import { aboutOf, checkSource, checks } from "./observations.ts";
+import { numbered } from "./phrases.ts";
+
+export const message = ({ observations, about }: Contradiction) =>
+  `Observations ${numbered(observations)} cannot ${observations.length === 2 ? "both" : "all"} be true${
+    about.length > 0 ? `: they disagree about ${aboutOf(about)}` : ""
+  }.`;
+
+export const claims = "What each of them says";
+export const withOthers = "only with the others";
+
+export const without = (left: number) =>
+  left === 0 ? "without it the others still disagree" : `without it ${left} of 128 left`;
+
+export const check = (about: readonly BehaviourAxis[]) => (
+  <>
+    <span class="problem-key">Check</span>{" "}
+    {[...about.map((choice) => checks[choice]), checkSource].join("; ")}.
+  </>
+);

@@ -19,7 +19,11 @@ export const views = ["read", "compose", "translate", "identify", "libraries"] a
 export type View = (typeof views)[number];
 export type Preset = "hamilton" | "jpl";
 /** Decimals shown; a copy always has all of them. */
-export type Digits = "4" | "6" | "all";
+export const digitChoices = ["4", "6", "all"] as const;
+export type Digits = (typeof digitChoices)[number];
+/** The unit in which angles are shown. */
+export const unitChoices = ["degrees", "radians"] as const;
+export type Unit = (typeof unitChoices)[number];
 
 export interface PageState {
   view: View;
@@ -31,6 +35,7 @@ export interface PageState {
   /** The sequence in which Euler angles are shown. */
   euler: EulerSequence;
   digits: Digits;
+  unit: Unit;
   /** Texts as typed. */
   quaternion: string;
   p: string;
@@ -72,6 +77,7 @@ export const opening: PageState = {
   matrix: { function: "passive", direction: "body-to-world" },
   euler: { axes: "zyx", frame: "intrinsic" },
   digits: "6",
+  unit: "degrees",
   quaternion: "cos(pi/8) + sin(pi/8) k",
   p: "cos(pi/8) + sin(pi/8) k",
   q: "1/√2 + 1/√2 i",
@@ -145,6 +151,8 @@ export function isOfNewerVersion(fragment: string): boolean {
   const version = new URLSearchParams(query).get(versionParameter) ?? "";
   return /^\d+$/.test(version) && Number(version) > addressVersion;
 }
+/** The units as the fragment names them, and as they are typed. */
+const unitNames: Record<Unit, string> = { degrees: "deg", radians: "rad" };
 
 /** Marks that an address may hold as they are. */
 const plainMarks = /%(?:3A|3B|2C|7E)/g;
@@ -167,6 +175,7 @@ export function toFragment(state: PageState): string {
     parameters.set("euler", sequenceName(euler));
   }
   if (state.digits !== opening.digits) parameters.set("digits", state.digits);
+  if (state.unit !== opening.unit) parameters.set("unit", unitNames[state.unit]);
   for (const end of ["from", "to"] as const) {
     const text = endToText(state[end]);
     if (text !== endToText(opening[end])) parameters.set(end, text);
@@ -203,7 +212,8 @@ export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true
       direction: oneOf(axisValues.direction, parameters.get("rows")) ?? opening.matrix.direction,
     },
     euler: sequenceFrom(parameters.get("euler")) ?? opening.euler,
-    digits: oneOf(["4", "6", "all"], parameters.get("digits")) ?? opening.digits,
+    digits: oneOf(digitChoices, parameters.get("digits")) ?? opening.digits,
+    unit: unitChoices.find((unit) => unitNames[unit] === parameters.get("unit")) ?? opening.unit,
     from: endFromText(parameters.get("from"), isLibrary) ?? opening.from,
     to: endFromText(parameters.get("to"), isLibrary) ?? opening.to,
     observations: probesFrom(parameters),

@@ -1,5 +1,5 @@
 // Numbers for reading and for copying; pure.
-import type { Digits } from "./address.ts";
+import type { Digits, Unit } from "./address.ts";
 
 const minus = "−";
 /** Below this a fixed number of decimals would hide the digits. */
@@ -99,9 +99,34 @@ function splitAtPoint(text: string): [string, string] {
   return at < 0 ? [text, ""] : [text.slice(0, at), text.slice(at)];
 }
 
-/** `45.000000°` for reading. */
-export function shownDegrees(angle: number, digits: Digits): string {
-  return `${shown(angle, digits)}°`;
+/** An angle in both units, each as exactly as it is known. */
+export interface Angle {
+  degrees: number;
+  radians: number;
+}
+
+/** What a conversion can lose is not shown. */
+const convertedDigits = 15;
+
+export function fromDegrees(degrees: number): Angle {
+  return { degrees, radians: Number(((degrees * Math.PI) / 180).toPrecision(convertedDigits)) };
+}
+
+export function fromRadians(radians: number): Angle {
+  return { degrees: Number(((radians * 180) / Math.PI).toPrecision(convertedDigits)), radians };
+}
+
+/** `45.000000°` or `0.785398 rad` for reading. */
+export function shownAngle(angle: Angle, digits: Digits, unit: Unit): string {
+  const number = shown(angle[unit], digits);
+  return unit === "degrees" ? `${number}°` : `${number}\u00a0rad`;
+}
+
+/** `53.1°` or `0.927 rad`: an angle in a sentence, of which few digits matter. */
+export function shownRoughAngle(degrees: number, unit: Unit, significantDigits = 3): string {
+  const angle = fromDegrees(degrees);
+  const rough = Number(angle[unit].toPrecision(significantDigits));
+  return shownAngle({ ...angle, [unit]: rough }, "all", unit);
 }
 
 const axisNames: [string, readonly number[]][] = [

@@ -6,7 +6,7 @@
 import type { PageState, View } from "./address.ts";
 
 /** Parts of the state that say how to look at it: undo leaves them alone. */
-const looks = ["view", "digits", "picture"] as const satisfies (keyof PageState)[];
+const looks = ["view", "digits", "unit", "picture"] as const satisfies (keyof PageState)[];
 type Look = (typeof looks)[number];
 export type Content = Omit<PageState, Look>;
 type Part = keyof Content;

@@ -2,9 +2,12 @@
 import { render } from "preact";
 import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
+import { showTheme } from "./settings.ts";
+import { startShortcuts } from "./shortcuts.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
 import "./view/edit.css";
+import "./view/comfort.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
@@ -12,6 +15,7 @@ import "./view/picker.css";
 import "./view/picture.css";
 import "./view/translate.css";
 import { releaseOnLeaving } from "./view/hold.ts";
+import "./view/surroundings.css";
 import { Page } from "./view/Page.tsx";
 import { undoByKey } from "./view/undo_keys.ts";
 
@@ -26,6 +30,8 @@ loadEngine().then(
     keepAddress(store);
     releaseOnLeaving();
     undoByKey(store);
+    showTheme();
+    startShortcuts(store);
   },
   (error: unknown) => {
     root

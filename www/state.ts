@@ -13,6 +13,7 @@ import {
   redone,
   undone,
 } from "./history.ts";
+import { rememberedNumbers } from "./settings.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
 export type Freshness = "current" | "old" | "opening";
@@ -41,7 +42,11 @@ export type Store = ReturnType<typeof createStore>;
 
 export function createStore(engine: Engine, fragment: string) {
   const known = new Set(engine.libraries.map(({ id }) => id));
-  const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
+  // A link gives the same page everywhere; a bare address shows numbers as they were last chosen.
+  const stateOf = (fragment: string): PageState => ({
+    ...fromFragment(fragment, (id) => known.has(id)),
+    ...(fragment.replace(/^#/, "") === "" && rememberedNumbers()),
+  });
   const state = signal<PageState>(stateOf(fragment));
   const isLinkNewer = signal(isOfNewerVersion(fragment));
 

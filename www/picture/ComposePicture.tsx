@@ -1,8 +1,9 @@
 // The picture of the Compose view: the same two turns about fixed and about moving axes, step by step.
 import { useId, useRef } from "preact/hooks";
+import type { Unit } from "../address.ts";
 import type { Step } from "../address_picture.ts";
 import type { ComposeReport, Handedness, Operand, Turn } from "../engine.ts";
-import { shownAxis, shownDegrees } from "../format.ts";
+import { shownAxis, shownRoughAngle } from "../format.ts";
 import type { Store } from "../state.ts";
 import { pictureWords, stepWords as words } from "../words/picture.ts";
 import { cameraOf } from "./camera.ts";
@@ -18,7 +19,7 @@ export function ComposePicture({ store }: { store: Store }) {
 
 const allSteps: readonly Step[] = [0, 1, 2];
 const signs: Record<Handedness, string> = { right: "⊙", left: "⊗" };
-const angleOf = ({ angleDeg }: Turn) => shownDegrees(Number(angleDeg.toPrecision(4)), "all");
+const angleOf = ({ angleDeg }: Turn, unit: Unit) => shownRoughAngle(angleDeg, unit, 4);
 
 function Steps({ store, report }: { store: Store; report: ComposeReport }) {
   const { step } = store.state.value.picture;
@@ -78,8 +79,6 @@ function Steps({ store, report }: { store: Store; report: ComposeReport }) {
   );
 }
 
-const angleLabel = (operand: Operand, turn: Turn) => `${operand}: ${angleOf(turn)}`;
-
 function Way({
   store,
   axes,
@@ -95,9 +94,11 @@ function Way({
 }) {
   const frame = useRef<HTMLDivElement>(null);
   const describedBy = useId();
-  const { look } = store.state.value.picture;
+  const { picture, unit } = store.state.value;
+  const { look } = picture;
+  const angleLabel = (operand: Operand, turn: Turn) => `${operand}: ${angleOf(turn, unit)}`;
   const scene = composeScene(stages, axes, step, part, cameraOf(look), angleLabel);
-  const made = stages.slice(0, step).map((stage) => said(stage, axes));
+  const made = stages.slice(0, step).map((stage) => said(stage, axes, unit));
   const description = made.length === 0 ? words.start : made.join(" ");
   const [first, then] = stages;
   const title = words.about[axes](first.operand, then.operand);
@@ -129,7 +130,7 @@ function Way({
 }
 
 /** What was turned, about which axis of which frame. */
-function said({ operand, turn }: Made, axes: Axes): string {
+function said({ operand, turn }: Made, axes: Axes, unit: Unit): string {
   if (turn.axis === undefined) return words.noTurn(operand);
-  return words.turned[axes](operand, angleOf(turn), shownAxis(turn.axis, "4"));
+  return words.turned[axes](operand, angleOf(turn, unit), shownAxis(turn.axis, "4"));
 }

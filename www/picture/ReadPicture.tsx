@@ -2,7 +2,7 @@
 import { useId, useMemo, useRef } from "preact/hooks";
 import type { PictureState, Reading } from "../address_picture.ts";
 import type { ReadReport } from "../engine.ts";
-import { shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { shownArray, shownAxis, shownRoughAngle } from "../format.ts";
 import { declaredConvention, type Store } from "../state.ts";
 import { arrowOf, presetOf, wordsOf } from "../view/words.ts";
 import {
@@ -37,14 +37,14 @@ const coarse = (numbers: readonly number[]) =>
   );
 
 function Shown({ store, report }: { store: Store; report: ReadReport }) {
-  const { picture } = store.state.value;
+  const { picture, unit } = store.state.value;
   const frame = useRef<HTMLDivElement>(null);
   const describedBy = useId();
   const motion = useMotion();
   const reading = readingOf(report, picture);
   const change = (changed: Partial<PictureState>) =>
     store.set({ picture: { ...store.state.peek().picture, ...changed } });
-  const angle = shownDegrees(Number(report.turn.angleDeg.toPrecision(4)), "all");
+  const angle = shownRoughAngle(report.turn.angleDeg, unit, 4);
   const { scene } = useMemo(
     () => readScene(report, picture, angle, motion.progress),
     [report, picture, angle, motion.progress],

@@ -1,11 +1,12 @@
-// What is asked: text fields, the declared convention, the digits shown.
+// What is asked: text fields and the declared convention.
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
-import type { Digits, Preset } from "../address.ts";
+import type { Preset } from "../address.ts";
 import type { Field } from "../engine.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { MoreAxes } from "./Axes.tsx";
 import { MarkedText } from "./MarkedText.tsx";
+import { NumberSettings } from "./Settings.tsx";
 import { UndoRedo } from "./UndoRedo.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
@@ -70,7 +71,7 @@ export function AskRest({
       <div class="ask-row">
         <TextField store={store} field="vector" />
         <UndoRedo store={store} />
-        <DigitsSwitch store={store} />
+        <NumberSettings store={store} />
       </div>
       {examples}
       <MoreAxes store={store} />
@@ -159,30 +160,6 @@ export function ConventionSwitch({ store }: { store: Store }) {
           </span>
         </label>
       )}
-    </fieldset>
-  );
-}
-
-const digitChoices: Digits[] = ["4", "6", "all"];
-
-/** Chooses how many decimals are shown. */
-export function DigitsSwitch({ store }: { store: Store }) {
-  const { digits: chosen } = store.state.value;
-  return (
-    <fieldset class="digits">
-      <legend>Decimals</legend>
-      {digitChoices.map((digits) => (
-        <label key={digits}>
-          <input
-            type="radio"
-            name="digits"
-            value={digits}
-            checked={digits === chosen}
-            onChange={() => store.set({ digits })}
-          />
-          <span>{digits}</span>
-        </label>
-      ))}
     </fieldset>
   );
 }

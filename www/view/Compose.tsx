@@ -14,7 +14,7 @@ import { Picture } from "./Picture.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
 
 export function Compose({ store }: { store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
@@ -30,12 +30,14 @@ export function Compose({ store }: { store: Store }) {
           {shownResult && (
             <div class="read-as">
               <p>
-                <var>p</var> <NamedComponents quaternion={shownResult.report.p} digits={digits} />
+                <var>p</var>{" "}
+                <NamedComponents quaternion={shownResult.report.p} digits={digits} unit={unit} />
               </p>
               <p>
-                <var>q</var> <NamedComponents quaternion={shownResult.report.q} digits={digits} />
+                <var>q</var>{" "}
+                <NamedComponents quaternion={shownResult.report.q} digits={digits} unit={unit} />
               </p>
-              <Notes notes={shownResult.report.notes} digits={digits} />
+              <Notes notes={shownResult.report.notes} digits={digits} unit={unit} />
             </div>
           )}
         </AskRest>

@@ -1,13 +1,16 @@
 // The attitude as Euler angles in a sequence of one's choice.
-import { type Digits, eulerAxes, sequenceName } from "../address.ts";
+import { type Digits, eulerAxes, sequenceName, type Unit } from "../address.ts";
 import { eulerValue } from "../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
-import { exactArray, shownArray, shownDegrees } from "../format.ts";
+import { exactArray, fromDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { numberGroup } from "./number_group.ts";
+
+const otherUnit: Record<Unit, Unit> = { degrees: "radians", radians: "degrees" };
+const unitWords: Record<Unit, string> = { degrees: "°", radians: "\u00a0rad" };
 
 const frames: Record<EulerFrame, string> = {
   intrinsic: "about the moving axes (intrinsic)",
@@ -32,15 +35,21 @@ export function EulerFact({
   store: Store;
   digits: Digits;
 }) {
-  const chosen = store.state.value.euler;
+  const { euler: chosen, unit } = store.state.value;
+  const anglesIn = { degrees: euler.anglesDeg, radians: euler.anglesRad };
+  const other = otherUnit[unit];
+  const copied = {
+    degrees: { of: "Euler angles in degrees", text: exactArray(euler.anglesDeg) },
+    radians: { of: "Euler angles in radians", text: exactArray(euler.anglesRad) },
+  };
   const names = angleNames(euler.sequence);
   const group = numberGroup(
     {
       store,
       id: "Euler angles",
-      describe: () => ({ kind: "euler-angles", sequence: euler.sequence, unit: "degrees" }),
+      describe: () => ({ kind: "euler-angles", sequence: euler.sequence, unit }),
     },
-    euler.anglesDeg,
+    anglesIn[unit],
   );
   return (
     <div class="fact fact-euler">
@@ -82,43 +91,45 @@ export function EulerFact({
                 <NumberField
                   group={group}
                   at={at}
-                  label={fieldWords.eulerAngle(name, fieldWords.degrees)}
+                  label={fieldWords.eulerAngle(name, fieldWords[unit])}
                   digits={digits}
-                  unit="degrees"
+                  unit={unit}
                 />
-                °
+                {unitWords[unit]}
               </dd>
             </div>
           ))}
         </dl>
-        <Copy
-          of="Euler angles in degrees"
-          text={exactArray(euler.anglesDeg)}
-          value={eulerValue(euler)}
-        />
+        <Copy {...copied[unit]} value={eulerValue(euler)} />
       </div>
       <p>
-        <code>{shownArray(euler.anglesRad, digits)}</code> rad
-        <Copy
-          of="Euler angles in radians"
-          text={exactArray(euler.anglesRad)}
-          value={eulerValue(euler)}
-        />
+        <code>{shownArray(anglesIn[other], digits)}</code> {unitWords[other]}
+        <Copy {...copied[other]} value={eulerValue(euler)} />
       </p>
-      <GimbalLock euler={euler} names={names} digits={digits} />
+      <GimbalLock euler={euler} names={names} digits={digits} unit={unit} />
     </div>
   );
 }
 
-function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; digits: Digits }) {
+function GimbalLock({
+  euler,
+  names,
+  digits,
+  unit,
+}: {
+  euler: Euler;
+  names: string[];
+  digits: Digits;
+  unit: Unit;
+}) {
   const lock = euler.gimbalLock;
   if (lock === undefined) return null;
   const sign = lock.survivor === "sum" ? "+" : "−";
   return (
     <p class="gimbal-lock">
       <strong>Gimbal lock</strong>: the outer axes are one line, and only {names[0]} {sign}{" "}
-      {names[2]} = <code>{shownDegrees(lock.survivorDeg, digits)}</code> is determined;{" "}
-      {names[lock.lost]} is set to 0.
+      {names[2]} = <code>{shownAngle(fromDegrees(lock.survivorDeg), digits, unit)}</code> is
+      determined; {names[lock.lost]} is set to 0.
     </p>
   );
 }

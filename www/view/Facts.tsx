@@ -3,7 +3,7 @@ import type { Digits } from "../address.ts";
 
 import { turnValues } from "../copy/values.ts";
 import type { ReadReport } from "../engine.ts";
-import { exact, exactArray, shown, shownArray } from "../format.ts";
+import { exact, exactArray, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
@@ -15,11 +15,12 @@ import { type NumberGroup, numberGroup } from "./number_group.ts";
 const anyAxis = [0, 0, 1] as const;
 
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
+  const angle = { degrees: angleDeg, radians: angleRad };
   const turn = numberGroup(
-    { store, id: "axis and angle", describe: () => ({ kind: "axis-angle", unit: "degrees" }) },
-    [angleDeg, ...(axis ?? anyAxis)],
+    { store, id: "axis and angle", describe: () => ({ kind: "axis-angle", unit }) },
+    [angle[unit], ...(axis ?? anyAxis)],
   );
   const rotationVector = numberGroup(
     { store, id: "rotation vector", describe: () => ({ kind: "rotation-vector" }) },
@@ -37,11 +38,11 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
               <NumberField
                 group={turn}
                 at={0}
-                label={fieldWords.angle}
+                label={fieldWords.angleIn(fieldWords[unit])}
                 digits={digits}
-                unit="degrees"
+                unit={unit}
               />
-              °
+              {unit === "degrees" ? "°" : "\u00a0rad"}
             </span>
             <span class="about">{fieldWords.about}</span>
             <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />
@@ -55,7 +56,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
           )}
         </p>
         <p>
-          <code>{shown(angleRad, digits)}</code> rad.{" "}
+          <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>.{" "}
           {axis === undefined
             ? fieldWords.everyAxis
             : "Carries the world axes onto the body axes, right-handed."}

@@ -1,23 +1,30 @@
 // What a text was read as: a quaternion or another description of an attitude.
-import { type Digits, sequenceName } from "../address.ts";
+import { type Digits, sequenceName, type Unit } from "../address.ts";
 import type { ReadQuaternion } from "../engine.ts";
-import { shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
+import { fromRadians, shown, shownAngle, shownArray, shownAxis } from "../format.ts";
 import { arrowOf } from "../words/conventions.ts";
 import * as words from "../words/form.tsx";
 import { operatorOf } from "./conventions.ts";
 import { namesInOrder } from "./Value.tsx";
 
-const degrees = (radians: number) => Number(((radians * 180) / Math.PI).toPrecision(15));
-
 /** `Euler angles ZYX 30°, 20°, 10°` and the like; nothing for a quaternion, whose numbers follow. */
-export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; digits: Digits }) {
+export function FormWords({
+  quaternion,
+  digits,
+  unit,
+}: {
+  quaternion: ReadQuaternion;
+  digits: Digits;
+  unit: Unit;
+}) {
   const { form } = quaternion;
+  const angle = (radians: number) => shownAngle(fromRadians(radians), digits, unit);
   switch (form.kind) {
     case "quaternion":
       return null;
     case "axis-angle":
       return words.axisAngle(
-        <code>{shownDegrees(degrees(form.angleRad), digits)}</code>,
+        <code>{angle(form.angleRad)}</code>,
         <code>{shownAxis(form.axis, digits)}</code>,
       );
     case "rotation-vector":
@@ -27,7 +34,7 @@ export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; 
       return words.euler(
         sequenceName(sequence),
         sequence.frame,
-        <code>{anglesRad.map((angle) => shownDegrees(degrees(angle), digits)).join(", ")}</code>,
+        <code>{anglesRad.map(angle).join(", ")}</code>,
       );
     }
     case "matrix":
@@ -39,14 +46,16 @@ export function FormWords({ quaternion, digits }: { quaternion: ReadQuaternion; 
 export function NamedComponents({
   quaternion,
   digits,
+  unit,
 }: {
   quaternion: ReadQuaternion;
   digits: Digits;
+  unit: Unit;
 }) {
   const { components, convention } = quaternion;
   return (
     <span class="named-components">
-      <FormWords quaternion={quaternion} digits={digits} />
+      <FormWords quaternion={quaternion} digits={digits} unit={unit} />
       {namesInOrder(convention).map((name) => (
         <span key={name} class="read-as-part">
           {name} <code>{shown(components[name], digits)}</code>

@@ -25,7 +25,7 @@ export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) 
     <section class={`card answer ${age === "current" ? "" : "aged"}`} aria-labelledby={answerId}>
       <header>
         <h2 id={answerId} tabIndex={-1}>
-          {name}
+          <span class="long-name">{name}</span>
         </h2>
         <p class="left">{words.left(shown.possible)}</p>
       </header>

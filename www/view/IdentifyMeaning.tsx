@@ -53,7 +53,7 @@ function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
                 {wordsOf.hamilton.name}
               </th>
               <th scope="col" class="relatives-own">
-                {name}
+                <span class="long-name">{name}</span>
               </th>
               <th scope="col" class="jpl">
                 {wordsOf.jpl.name}

@@ -1,11 +1,19 @@
 // What a careful reader should know about the input: one plain line each.
 import type { ComponentChildren } from "preact";
-import type { Digits } from "../address.ts";
+import type { Digits, Unit } from "../address.ts";
 import type { ComponentOrder, Note, OrderSource } from "../engine.ts";
-import { shown, shownDegrees } from "../format.ts";
+import { shown, shownRoughAngle } from "../format.ts";
 import { lettersOf, symbolOf } from "./words.ts";
 
-export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digits }) {
+export function Notes({
+  notes,
+  digits,
+  unit,
+}: {
+  notes: readonly Note[];
+  digits: Digits;
+  unit: Unit;
+}) {
   if (notes.length === 0) return null;
   return (
     <ul class="notes">
@@ -16,7 +24,7 @@ export function Notes({ notes, digits }: { notes: readonly Note[]; digits: Digit
               <var>{note.field}</var>:{" "}
             </>
           )}
-          {words(note, digits)}
+          {words(note, digits, unit)}
         </li>
       ))}
     </ul>
@@ -35,7 +43,7 @@ const sources: Record<OrderSource, string> = {
   constructor: "constructor",
 };
 
-function words({ field, fact }: Note, digits: Digits): ComponentChildren {
+function words({ field, fact }: Note, digits: Digits, unit: Unit): ComponentChildren {
   const symbol = <var>{symbolOf[field]}</var>;
   switch (fact.kind) {
     case "normalised":
@@ -60,8 +68,7 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
         <>
           Bare numbers do not tell their order: read as <code>{lettersOf[fact.order]}</code>. As{" "}
           <code>{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
-          <code>{shownDegrees(Number(fact.otherOrderDiffersByDeg.toPrecision(3)), "all")}</code>{" "}
-          away.
+          <code>{shownRoughAngle(fact.otherOrderDiffersByDeg, unit)}</code> away.
         </>
       );
     case "order-invisible":
@@ -95,7 +102,7 @@ function words({ field, fact }: Note, digits: Digits): ComponentChildren {
         <>
           Nothing marks the rows of the nine numbers: read row by row. Column by column, as some
           libraries print them, they are the opposite turn,{" "}
-          <code>{shownDegrees(Number(fact.columnsDifferByDeg.toPrecision(3)), "all")}</code> away.
+          <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
         </>
       );
     case "nearest-rotation":

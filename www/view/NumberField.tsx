@@ -1,6 +1,6 @@
 // A number of the result that can be edited in its place.
 import { useRef, useState } from "preact/hooks";
-import type { Digits } from "../address.ts";
+import type { Digits, Unit } from "../address.ts";
 import { shown } from "../format.ts";
 import type { Content } from "../history.ts";
 import { type Stride, stepped } from "../stepping.ts";
@@ -21,7 +21,7 @@ const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
 const anglePlaces: Record<Digits, number> = { "4": 9, "6": 11, all: 20 };
 
 /** What the arrow keys add. */
-const steps = { degrees: 1, none: 0.01 };
+const steps = { degrees: 1, radians: 0.01, none: 0.01 };
 
 export function NumberField({
   group,
@@ -38,7 +38,7 @@ export function NumberField({
   digits: Digits;
   /** The number for reading, where it is aligned with others. */
   text?: string | undefined;
-  unit?: "degrees" | "none";
+  unit?: Unit | "none";
 }) {
   const { store } = group;
   const [isEdited, setEdited] = useState(false);

@@ -1,12 +1,14 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-import { type Digits, toFragment, type View } from "../address.ts";
-import { shown, shownAxis, shownDegrees } from "../format.ts";
+import { type Digits, toFragment, type Unit, type View } from "../address.ts";
+import { shown, shownAngle, shownAxis } from "../format.ts";
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
 import { Identify, spokenIdentity } from "./Identify.tsx";
 import { Libraries, spokenLibraries } from "./Libraries.tsx";
+import { Overlay } from "./Overlay.tsx";
 import { Read } from "./Read.tsx";
+import { Tools } from "./Settings.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
 import { spokenTranslation, Translate } from "./Translate.tsx";
 import { namesInOrder } from "./Value.tsx";
@@ -40,6 +42,7 @@ export function Page({ store }: { store: Store }) {
           ))}
         </nav>
         <Share store={store} />
+        <Tools />
       </header>
       <main>
         <NewerLink store={store} />
@@ -61,13 +64,14 @@ export function Page({ store }: { store: Store }) {
       <p class="visually-hidden" role="status" aria-live="polite">
         {spoken(store)}
       </p>
+      <Overlay store={store} />
     </>
   );
 }
 
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
-  const { view, digits } = store.state.value;
+  const { view, digits, unit } = store.state.value;
   const problems = store.problems.value.map(
     ({ field, message, expected, hint }) =>
       `Problem in ${symbolOf[field]}: ${message}. Expected ${expected}. Try ${hint}.`,
@@ -75,7 +79,7 @@ function spoken(store: Store): string {
   if (problems.length > 0) return problems.join(" ");
   switch (view) {
     case "read":
-      return spokenTurn(store, digits);
+      return spokenTurn(store, digits, unit);
     case "compose":
       return spokenProduct(store, digits);
     case "translate":
@@ -98,9 +102,10 @@ function spokenProduct(store: Store, digits: Digits): string {
   return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
 }
 
-function spokenTurn(store: Store, digits: Digits): string {
+function spokenTurn(store: Store, digits: Digits, unit: Unit): string {
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";
   if (turn.axis === undefined) return "Result: no turn.";
-  return `Result: a turn by ${shownDegrees(turn.angleDeg, digits)} about ${shownAxis(turn.axis, digits)}.`;
+  const angle = { degrees: turn.angleDeg, radians: turn.angleRad };
+  return `Result: a turn by ${shownAngle(angle, digits, unit)} about ${shownAxis(turn.axis, digits)}.`;
 }

@@ -8,13 +8,14 @@ import type { Store } from "../state.ts";
 import { arrowOf } from "../words/conventions.ts";
 import type { EndNames } from "../words/translate.ts";
 import * as words from "../words/translate.ts";
-import { AskStatus, DigitsSwitch, TextField } from "./Ask.tsx";
+import { AskStatus, TextField } from "./Ask.tsx";
 import { AxesChoice } from "./AxesChoice.tsx";
 import { nameOf as conventionName } from "./conventions.ts";
 import { EndChoice } from "./EndChoice.tsx";
 import { NamedComponents } from "./Form.tsx";
 import { accentOf, endName, libraryWith } from "./library.ts";
 import { Notes } from "./Notes.tsx";
+import { NumberSettings } from "./Settings.tsx";
 import { EndColumn } from "./TranslatedEnd.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { Why } from "./TranslationWhy.tsx";
@@ -30,7 +31,7 @@ export function Translate({ store }: { store: Store }) {
         <div class="ask-row">
           <TextField store={store} field="quaternion" name="translated" />
           <UndoRedo store={store} />
-          <DigitsSwitch store={store} />
+          <NumberSettings store={store} />
         </div>
         <div class="ends">
           <EndChoice store={store} side="from" />
@@ -153,12 +154,13 @@ function Examples({ store }: { store: Store }) {
 }
 
 function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const proposed = libraryWith(store.engine, report.proposed);
   return (
     <div class="read-as">
       <p>
-        {words.readAs} <NamedComponents quaternion={report.quaternion} digits={digits} />
+        {words.readAs}{" "}
+        <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
       </p>
       {proposed && (
         <p class="proposal">
@@ -172,7 +174,7 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
-      <Notes notes={report.notes} digits={digits} />
+      <Notes notes={report.notes} digits={digits} unit={unit} />
     </div>
   );
 }
@@ -225,7 +227,7 @@ function Result({
       </div>
       <div class="facts">
         <ProductCard report={report} names={names} store={store} />
-        <MistakesCard report={report} digits={digits} />
+        <MistakesCard report={report} digits={digits} unit={store.state.value.unit} />
       </div>
       {report.axes && <AxesCard axes={report.axes} digits={digits} />}
     </>

@@ -1,9 +1,8 @@
 // What else a translation changes: the product, the mistakes, the axes.
-
-import { type Digits, toFragment } from "../address.ts";
+import { type Digits, toFragment, type Unit } from "../address.ts";
 import { newAxesValue } from "../copy/values.ts";
 import type { AxesReport, Engine, MappedAxes, TranslatedEnd, TranslateReport } from "../engine.ts";
-import { shownDegrees } from "../format.ts";
+import { fromDegrees, shownAngle } from "../format.ts";
 import type { Store } from "../state.ts";
 import type { EndNames } from "../words/translate.ts";
 import * as axesWords from "../words/translate_axes.tsx";
@@ -56,7 +55,15 @@ const swapped = (call: string) =>
   call.replace(/\b[ab](?=\b|0\b|vec\b)/g, (operand) => (operand === "a" ? "b" : "a"));
 
 /** The angle by which the attitude is wrong. */
-export function MistakesCard({ report, digits }: { report: TranslateReport; digits: Digits }) {
+export function MistakesCard({
+  report,
+  digits,
+  unit,
+}: {
+  report: TranslateReport;
+  digits: Digits;
+  unit: Unit;
+}) {
   const mistakes = report.mistakes.map(({ kind, angleDeg }) => ({
     words: mistakeWords.mistakeOf(kind, report.change),
     angleDeg,
@@ -73,7 +80,7 @@ export function MistakesCard({ report, digits }: { report: TranslateReport; digi
             ) : (
               <>
                 <span class="mistake-angle">
-                  {mistakeWords.off(<code>{shownDegrees(angleDeg, digits)}</code>)}
+                  {mistakeWords.off(<code>{shownAngle(fromDegrees(angleDeg), digits, unit)}</code>)}
                 </span>
                 <span class="mistake-bar" aria-hidden="true">
                   <span style={{ width: `${(angleDeg / 180) * 100}%` }} />

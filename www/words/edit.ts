@@ -37,8 +37,7 @@ export const undoWords = {
 export const fieldWords = {
   component: (group: string, name: string) => `${group}, ${name}`,
   entry: (matrix: string, row: number, column: number) => `${matrix}, row ${row}, column ${column}`,
-  angle: "angle in degrees",
-  angleInRadians: "angle in radians",
+  angleIn: (unit: string) => `angle in ${unit}`,
   axis: (name: string) => `axis, ${name}`,
   rotationVector: (name: string) => `rotation vector, ${name}`,
   eulerAngle: (name: string, unit: string) => `${name} in ${unit}`,

@@ -1,0 +1,126 @@
+// What each visitor chooses for himself: decimals, the unit of angles, the theme.
+import { digitChoices, unitChoices } from "../address.ts";
+import {
+  chooseDigits,
+  chooseTheme,
+  chooseUnit,
+  nextTheme,
+  type Theme,
+  theme,
+} from "../settings.ts";
+import { said } from "../shortcuts.ts";
+import type { Store } from "../state.ts";
+import { overlayNames } from "../words/overlay.ts";
+import {
+  anglesLabel,
+  decimalsLabel,
+  digitsWords,
+  isNow,
+  themeLabel,
+  themeWords,
+  unitNames,
+  unitWords,
+} from "../words/settings.ts";
+import { showOverlay } from "./Overlay.tsx";
+
+/** One of a few words, of which all are seen. */
+export function Choice<Value extends string>({
+  name,
+  label,
+  choices,
+  chosen,
+  words,
+  names = words,
+  onChoose,
+}: {
+  name: string;
+  label: string;
+  choices: readonly Value[];
+  chosen: Value;
+  words: Record<Value, string>;
+  /** In full, where the words are short. */
+  names?: Record<Value, string>;
+  onChoose: (value: Value) => void;
+}) {
+  return (
+    <fieldset class="choice">
+      <legend>{label}</legend>
+      {choices.map((value) => (
+        <label key={value}>
+          <input
+            type="radio"
+            name={name}
+            value={value}
+            aria-label={names[value]}
+            checked={value === chosen}
+            onChange={() => onChoose(value)}
+          />
+          <span>{words[value]}</span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+/** How numbers are shown. */
+export function NumberSettings({ store }: { store: Store }) {
+  const { digits, unit } = store.state.value;
+  return (
+    <div class="number-settings">
+      <Choice
+        name="unit"
+        label={anglesLabel}
+        choices={unitChoices}
+        chosen={unit}
+        words={unitWords}
+        names={unitNames}
+        onChoose={(chosen) => chooseUnit(store, chosen)}
+      />
+      <Choice
+        name="digits"
+        label={decimalsLabel}
+        choices={digitChoices}
+        chosen={digits}
+        words={digitsWords}
+        onChoose={(chosen) => chooseDigits(store, chosen)}
+      />
+    </div>
+  );
+}
+
+/** The tools beside the views: the theme, and the list of keys. */
+export function Tools() {
+  const themeName = isNow(themeLabel, themeWords[theme.value]);
+  return (
+    <div class="tools">
+      <button type="button" class="tool" title={themeName} onClick={() => chooseTheme(nextTheme())}>
+        <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
+          <path d={themePaths[theme.value]} />
+          {theme.value === "system" && <path class="tool-full" d="M8 2 a6 6 0 0 0 0 12 z" />}
+        </svg>
+        <span class="visually-hidden">{themeName}</span>
+      </button>
+      <button
+        type="button"
+        class="tool"
+        title={overlayNames.help}
+        aria-haspopup="dialog"
+        onClick={() => showOverlay("help")}
+      >
+        <span aria-hidden="true">?</span>
+        <span class="visually-hidden">{overlayNames.help}</span>
+      </button>
+      <p class="visually-hidden" aria-live="polite">
+        {said}
+      </p>
+    </div>
+  );
+}
+
+/** A disc, of which half is filled besides; a sun; a moon. */
+const themePaths: Record<Theme, string> = {
+  system: "M8 2 a6 6 0 0 0 0 12 a6 6 0 0 0 0 -12 z",
+  light:
+    "M8 5 a3 3 0 0 1 0 6 a3 3 0 0 1 0 -6 z M8 1 v1.5 M8 13.5 v1.5 M1 8 h1.5 M13.5 8 h1.5 M3 3 l1.1 1.1 M11.9 11.9 l1.1 1.1 M13 3 l-1.1 1.1 M4.1 11.9 L3 13",
+  dark: "M6.5 2 a6 6 0 1 0 7.5 7.5 a5 5 0 0 1 -7.5 -7.5 z",
+};

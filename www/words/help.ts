@@ -1,0 +1,40 @@
+// What the keys do.
+import type { Preset, View } from "../address.ts";
+import type { ShortcutName } from "../shortcuts.ts";
+
+const goTo = (view: string) => `Go to ${view}`;
+const declare = (preset: string) => `Declare the text as ${preset}`;
+
+export const viewShortcutWords: Record<View, string> = {
+  read: goTo("Read"),
+  compose: goTo("Compose"),
+  translate: goTo("Translate"),
+  identify: goTo("Identify"),
+  libraries: goTo("Libraries"),
+};
+
+export const presetShortcutWords: Record<Preset, string> = {
+  hamilton: declare("Hamilton"),
+  jpl: declare("JPL"),
+};
+
+export const shortcutWords: Record<ShortcutName, string> = {
+  ...viewShortcutWords,
+  ...presetShortcutWords,
+  field: "Go to the first text field",
+  copy: "Copy the quaternion",
+  digits: "More or fewer decimals",
+  unit: "Angles in degrees or radians",
+  theme: "Light, dark or as the system",
+  gallery: "Open the examples",
+  help: "Open this list",
+  undo: "Undo",
+  redo: "Redo",
+};
+
+export const orWord = "or";
+export const thenWord = "then";
+
+export const whereTheyAct =
+  "A key alone acts while no text field has the focus. Undo and redo act everywhere.";
+export const remembered = "The theme and this choice are remembered in this browser only.";

@@ -7,6 +7,7 @@ import "./style.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
+import "./view/notes.css";
 import "./view/picker.css";
 import "./view/translate.css";
 import { Page } from "./view/Page.tsx";

@@ -31,7 +31,7 @@ export function Compose({ store }: { store: Store }) {
               <p>
                 <var>q</var> <NamedComponents quaternion={shownResult.report.q} digits={digits} />
               </p>
-              <Notes notes={shownResult.report.notes} digits={digits} />
+              <Notes notes={shownResult.report.notes} store={store} />
             </div>
           )}
         </AskRest>

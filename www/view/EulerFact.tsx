@@ -3,6 +3,7 @@ import { type Digits, eulerAxes, sequenceName } from "../address.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, shownArray, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
+import { gimbalLockWords } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 
 const frames: Record<EulerFrame, string> = {
@@ -89,9 +90,13 @@ function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; d
   const sign = lock.survivor === "sum" ? "+" : "−";
   return (
     <p class="gimbal-lock">
-      <strong>Gimbal lock</strong>: the outer axes are one line, and only {names[0]} {sign}{" "}
-      {names[2]} = <code>{shownDegrees(lock.survivorDeg, digits)}</code> is determined;{" "}
-      {names[lock.lost]} is set to 0.
+      {gimbalLockWords({
+        names,
+        sign,
+        survivor: shownDegrees(lock.survivorDeg, digits),
+        lost: names[lock.lost],
+        distance: lock.distanceDeg === 0 ? undefined : shownDegrees(lock.distanceDeg, digits),
+      })}
     </p>
   );
 }

@@ -1,9 +1,12 @@
 // What no convention changes: the turn itself.
 import type { ReadReport } from "../engine.ts";
+import { negates } from "../fixes.ts";
 import { exact, exactArray, shown, shownArray, shownAxis, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
+import { otherSign } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
+import { FixButton, NoteOfTurn } from "./Notes.tsx";
 
 export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;
@@ -23,8 +26,10 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
           )}
         </p>
         <p>
-          <code>{shown(angleRad, digits)}</code> rad. Carries the world axes onto the body axes,
-          right-handed.
+          <code>{shown(angleRad, digits)}</code> rad.{" "}
+          <NoteOfTurn notes={report.notes} store={store}>
+            Carries the world axes onto the body axes, right-handed.
+          </NoteOfTurn>
         </p>
       </div>
       <div class="fact">
@@ -37,13 +42,18 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
       </div>
       <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
-        <h2>The other sign</h2>
+        <h2>{otherSign.heading}</h2>
         <p class="fact-value">
           <code>{shownArray(opposite, digits)}</code>
           <Copy of="minus q" text={exactArray(opposite)} />
         </p>
         <p>
-          −<var>q</var>, as <code>w x y z</code>: the same rotation, not its inverse.
+          {otherSign.words}
+          <FixButton
+            store={store}
+            field="quaternion"
+            fix={negates(store, "quaternion", "quaternion")}
+          />
         </p>
       </div>
     </section>

@@ -2,6 +2,7 @@
 import type { VNode } from "preact";
 import { type Digits, toFragment, type View } from "../address.ts";
 import { shown, shownAxis, shownDegrees } from "../format.ts";
+import { saidOf } from "../said.ts";
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
 import { Identify, spokenIdentity } from "./Identify.tsx";
@@ -56,7 +57,7 @@ export function Page({ store }: { store: Store }) {
         </p>
       </footer>
       <p class="visually-hidden" role="status" aria-live="polite">
-        {spoken(store)}
+        {[saidOf(state), spoken(store)].join(" ").trim()}
       </p>
     </>
   );

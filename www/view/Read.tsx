@@ -1,5 +1,5 @@
 // The Read view: one attitude, both conventions side by side.
-import { type Digits, type Preset, toFragment } from "../address.ts";
+import { type Preset, toFragment } from "../address.ts";
 import type { ReadReport } from "../engine.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -13,7 +13,6 @@ import { Relation } from "./Relation.tsx";
 import { presetLike } from "./words.ts";
 
 export function Read({ store }: { store: Store }) {
-  const { digits } = store.state.value;
   const shownResult = store.read.value;
   return (
     <>
@@ -27,7 +26,7 @@ export function Read({ store }: { store: Store }) {
           freshness={shownResult?.freshness}
           examples={<Examples store={store} />}
         >
-          {shownResult && <ReadAs report={shownResult.report} digits={digits} />}
+          {shownResult && <ReadAs report={shownResult.report} store={store} />}
         </AskRest>
       </section>
       {shownResult && (
@@ -101,7 +100,8 @@ function Examples({ store }: { store: Store }) {
   );
 }
 
-function ReadAs({ report, digits }: { report: ReadReport; digits: Digits }) {
+function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits } = store.state.value;
   return (
     <div class="read-as">
       <p>
@@ -115,7 +115,7 @@ function ReadAs({ report, digits }: { report: ReadReport; digits: Digits }) {
           <var>x</var> = <code>{shownArray(report.vector, digits)}</code>
         </span>
       </p>
-      <Notes notes={report.notes} digits={digits} />
+      <Notes notes={report.notes} store={store} />
     </div>
   );
 }

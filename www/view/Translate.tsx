@@ -166,7 +166,7 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
-      <Notes notes={report.notes} digits={digits} />
+      <Notes notes={report.notes} store={store} />
     </div>
   );
 }

@@ -34,6 +34,10 @@ const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
 /// it the sign of the axis is lost.
 const NEARLY_RAD: f64 = 1e-4;
 
+/// Nearer to gimbal lock than this, in radians, an error of the attitude is a hundred times as large in
+/// the outer angles: of six decimals four are left.
+const NEAR_LOCK_RAD: f64 = 1e-2;
+
 /// The most that six decimals change a vector of three components.
 const ROUNDING_OF_SIX_DECIMALS: f64 = 0.5e-6 * 1.732_050_807_568_877_2;
 
@@ -348,6 +352,8 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
     let angles_rad = found
         .gimbal_lock
         .map_or(found.angles_rad, |lock| lock.canonical_rad);
+    let distance_rad = found.lock_distance_rad;
+    let is_near = found.gimbal_lock.is_none() && distance_rad < NEAR_LOCK_RAD;
     Euler {
         sequence,
         angles_rad: angles_rad.map(plain),
@@ -358,6 +364,7 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
             lost: sequence.lost_at_lock(),
             distance_deg: plain(lock.distance_rad.to_degrees()),
         }),
+        near_lock_deg: is_near.then(|| distance_rad.to_degrees()),
     }
 }
 

@@ -248,6 +248,28 @@ fn nine_numbers_without_rows_are_read_by_rows_and_that_is_said() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn near_gimbal_lock_the_distance_is_told() {
+    let euler = |text| read(text, "1 0 0", Convention::HAMILTON).euler;
+    for text in ["ZYX 30deg 89.42deg 10deg", "ZYX 30deg -89.42deg 10deg"] {
+        assert_eq!(euler(text).near_lock_deg, None, "{text}");
+    }
+    // A hundredth of a radian is 0.573°.
+    for text in ["ZYX 30deg 89.44deg 10deg", "ZYX 30deg -89.44deg 10deg"] {
+        let near = euler(text).near_lock_deg.expect(text);
+        assert_close(text, &[near], &[0.56], 1e-13);
+    }
+    // At the lock that is told instead.
+    assert_eq!(euler("ZYX 30deg 90deg 10deg").near_lock_deg, None);
+    // With equal outer axes the lock is at 0 and at 180°.
+    for text in ["ZXZ 30deg 0.5deg 10deg", "ZXZ 30deg 179.5deg 10deg"] {
+        let mut request = ReadRequest::new(text, "1 0 0", Convention::HAMILTON);
+        request.euler = "ZXZ".parse().expect("a sequence");
+        let near = report(request).euler.near_lock_deg.expect(text);
+        assert_close(text, &[near], &[0.5], 1e-13);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn gimbal_lock_is_told_with_what_survives() {
     let report = read("ZYX 50deg 90deg 20deg", "1 0 0", Convention::HAMILTON);
     let lock = report.euler.gimbal_lock.expect("the nose is up");

@@ -136,6 +136,12 @@ export function keyFix(store: Store, field: Field): Fix | undefined {
   return fixes.find(({ changes }) => changes === "text") ?? fixes[0];
 }
 
+/** What the key does in a field. */
+export function applyFirst(store: Store, field: Field) {
+  const fix = keyFix(store, field);
+  if (fix !== undefined) apply(store, fix);
+}
+
 export function apply(store: Store, fix: Fix) {
   const change = fix.change();
   if (change === undefined) return;

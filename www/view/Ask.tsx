@@ -3,12 +3,12 @@ import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import type { Digits, Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
-import { fixOfProblem, type TextName } from "../fixes.ts";
+import { applyFirst, fixOfProblem, type TextName } from "../fixes.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
-import { MoreAxes } from "./Axes.tsx";
 import { problemWords } from "../words/notes.tsx";
+import { MoreAxes } from "./Axes.tsx";
 import { MarkedText } from "./MarkedText.tsx";
-import { FixButton, onFixKey } from "./Notes.tsx";
+import { FixButton } from "./Notes.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 /** The texts that a view is about. */
@@ -33,11 +33,7 @@ export function TextField({
   const problem = store.problemOf(field);
   return (
     <div class={`field ${heroes.includes(field) ? "field-hero" : "field-plain"}`}>
-      <div
-        class="field-box"
-        data-field={field}
-        onKeyDown={(event) => onFixKey(event, store, field)}
-      >
+      <div class="field-box" data-field={field}>
         <label for={id} class="field-label">
           <span class="visually-hidden">{label}</span>
           <var>{symbolOf[field]}</var>
@@ -49,6 +45,7 @@ export function TextField({
           problem={problem}
           describedBy={problem && problemId(field)}
           onInput={(typed) => store.set({ [name]: typed })}
+          onAltEnter={() => applyFirst(store, field)}
         />
       </div>
     </div>

@@ -3,7 +3,7 @@ import { type Digits, eulerAxes, sequenceName } from "../address.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, shownArray, shownDegrees } from "../format.ts";
 import type { Store } from "../state.ts";
-import { gimbalLockWords } from "../words/notes.tsx";
+import { gimbalLockWords, nearLockWords } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 
 const frames: Record<EulerFrame, string> = {
@@ -85,7 +85,8 @@ export function EulerFact({
 }
 
 function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; digits: Digits }) {
-  const lock = euler.gimbalLock;
+  const { gimbalLock: lock, nearLockDeg } = euler;
+  if (nearLockDeg !== undefined) return <p class="gimbal-lock">{nearLockWords(nearLockDeg)}</p>;
   if (lock === undefined) return null;
   const sign = lock.survivor === "sum" ? "+" : "−";
   return (

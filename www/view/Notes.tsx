@@ -1,7 +1,7 @@
 // What a careful reader should know about the input: one plain line each, with what mends it.
 import type { ComponentChildren } from "preact";
-import { apply, type Fix, fixesOfNote, keyFix } from "../fixes.ts";
 import type { Fact, Field, Note } from "../engine.ts";
+import { apply, type Fix, fixesOfNote, keyFix } from "../fixes.ts";
 import type { Store } from "../state.ts";
 import { fixKey, noteWords } from "../words/notes.tsx";
 
@@ -83,7 +83,11 @@ export function FixButton({
       >
         <span class="fix-label">{fix.label}</span>
         {children}
-        {hasKey && <kbd aria-hidden="true">{fixKey}</kbd>}
+        {hasKey && (
+          <span class="fix-key" aria-hidden="true">
+            {fixKey}
+          </span>
+        )}
       </button>
     </>
   );
@@ -93,12 +97,4 @@ export function FixButton({
 function focusFieldAfter(button: HTMLButtonElement, field: Field) {
   if (button.isConnected) return;
   document.querySelector<HTMLElement>(`[data-field="${field}"] textarea`)?.focus();
-}
-
-/** The key that mends a text while it is typed. */
-export function onFixKey(event: KeyboardEvent, store: Store, field: Field) {
-  if (event.key !== "Enter" || !event.altKey || event.isComposing) return;
-  event.preventDefault();
-  const fix = keyFix(store, field);
-  if (fix !== undefined) apply(store, fix);
 }

@@ -141,8 +141,8 @@ export function noteWords({ field, fact }: Note, digits: Digits): ComponentChild
       return (
         <>
           Nearly half a turn, short of it by <code>{roughDegrees(fact.shortByDeg)}</code> (
-          <code>{rough(fact.shortByRad)}</code> rad): rounding may turn the axis round, and{" "}
-          {symbol} into −{symbol}.
+          <code>{rough(fact.shortByRad)}</code> rad): rounding may turn the axis round, and {symbol}{" "}
+          into −{symbol}.
         </>
       );
     case "out-of-range":
@@ -227,8 +227,19 @@ export function gimbalLockWords({
           (<code>{distance}</code> from it)
         </>
       )}
-      : the outer axes are one line, and only {names[0]} {sign} {names[2]} ={" "}
-      <code>{survivor}</code> is determined; {lost} is lost and set to 0.
+      : the outer axes are one line, and only {names[0]} {sign} {names[2]} = <code>{survivor}</code>{" "}
+      is determined; {lost} is lost and set to 0.
+    </>
+  );
+}
+
+/** What a small distance from gimbal lock does to the angles. */
+export function nearLockWords(distanceDeg: number): ComponentChildren {
+  const times = 180 / (Math.PI * distanceDeg);
+  return (
+    <>
+      <strong>Near gimbal lock</strong> (<code>{roughDegrees(distanceDeg)}</code> from it): an error
+      of the attitude is up to <code>{rough(times)}</code> times as large in the outer angles.
     </>
   );
 }

@@ -8,7 +8,6 @@ import {
   sidewaysScroll,
   tabTo,
   test,
-  typeOver,
   violationsOf,
 } from "./support.ts";
 

@@ -80,7 +80,7 @@ impl Fault {
             ),
             Mirror::Nearest(axis) => (
                 format!(
-                    "one axis is flipped, and the smallest turn is left over if it is {}",
+                    "one axis is flipped, and turning {} back leaves the smallest turn",
                     AXES[axis]
                 ),
                 format!("change the sign of the {} column", ORDINALS[axis]),

@@ -135,9 +135,13 @@ function ProblemWords({
         </span>{" "}
         {children}
       </p>
-      <p>
-        <span class="problem-key">{problemWords.expected}</span> {expected}.{" "}
-        <span class="problem-key">{problemWords.try}</span> {hint}.
+      <p class="problem-help">
+        <span>
+          <span class="problem-key">{problemWords.expected}</span> {expected}.{" "}
+          <span class={fix && "problem-by-hand"}>
+            <span class="problem-key">{problemWords.try}</span> {hint}.
+          </span>
+        </span>
         {fix && (
           <FixButton store={store} field={field} fix={fix}>
             <code class="fix-text">{suggestion?.text}</code>

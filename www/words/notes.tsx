@@ -55,23 +55,24 @@ export function noteWords({ field, fact }: Note, digits: Digits): ComponentChild
     case "order-assumed":
       return (
         <>
-          Bare numbers do not tell their order: read as <code>{lettersOf[fact.order]}</code>. As{" "}
-          <code>{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
+          Bare numbers do not tell their order: read as{" "}
+          <code class="letters">{lettersOf[fact.order]}</code>. As{" "}
+          <code class="letters">{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
           <code>{roughDegrees(fact.otherOrderDiffersByDeg, 3)}</code> away.
         </>
       );
     case "order-invisible":
       return (
         <>
-          This input cannot show its order: as <code>w x y z</code> and as <code>x y z w</code> it
-          is the same rotation. Test with another one.
+          This input cannot show its order: as <code class="letters">w x y z</code> and as{" "}
+          <code class="letters">x y z w</code> it is the same rotation. Test with another one.
         </>
       );
     case "unknown-constructor":
       return (
         <>
           The order of <code>{fact.name}</code> is not known here: read as{" "}
-          <code>{lettersOf[fact.order]}</code>, as declared.
+          <code class="letters">{lettersOf[fact.order]}</code>, as declared.
         </>
       );
     case "angle-unit-assumed":
@@ -197,8 +198,8 @@ export const otherSign = {
   heading: "The other sign",
   words: (
     <>
-      −<var>q</var>, as <code>w x y z</code>: <var>q</var> and −<var>q</var> are the same rotation.
-      The inverse is another one.
+      −<var>q</var>, as <code class="letters">w x y z</code>: <var>q</var> and −<var>q</var> are the
+      same rotation. The inverse is another one.
     </>
   ),
 };

@@ -15,7 +15,9 @@ use crate::report::{
     ReadReport, coordinates,
 };
 use crate::request::{ComposeRequest, ReadRequest, Request};
+use crate::suggestion::with_suggestion;
 use crate::translate::translate;
+use nalgebra::Vector3;
 
 /// The answer to a request: a report with notes, or the problems of its texts.
 ///
@@ -54,7 +56,7 @@ fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         matrix: request.matrix,
     };
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
-    let vector = parse_vector(&request.vector, Field::Vector);
+    let vector = vector_of_text(&request.vector);
     let (attitude, vector) = match (attitude, vector) {
         (Ok(attitude), Ok(vector)) => (attitude, vector),
         (attitude, vector) => return Err(problems([attitude.err(), vector.err()])),
@@ -107,7 +109,7 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
     };
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);
-    let vector = parse_vector(&request.vector, Field::Vector);
+    let vector = vector_of_text(&request.vector);
     let (p, q, vector) = match (p, q, vector) {
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => return Err(problems([p.err(), q.err(), vector.err()])),
@@ -143,6 +145,12 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
         order_matters: composition.order_matters,
         notes,
     })
+}
+
+fn vector_of_text(text: &str) -> Result<Vector3<f64>, Problem> {
+    let read = |text: &str| parse_vector(text, Field::Vector);
+    read(text)
+        .map_err(|problem| with_suggestion(problem, text, &|candidate| read(candidate).map(drop)))
 }
 
 fn problems<const COUNT: usize>(found: [Option<Problem>; COUNT]) -> Vec<Problem> {

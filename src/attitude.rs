@@ -1,34 +1,45 @@
 //! A text to an attitude, and the attitude to numbers in a convention.
 
-use crate::angle::UnitSource;
+use crate::angle::{AngleUnit, UnitSource};
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::euler_sequence::EulerSequence;
 use crate::kinematics::RateAxes;
+use crate::matrix_reading::of_matrix;
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
-use crate::nearest_rotation::NoNearestRotation;
 use crate::parse::{ParsedQuaternion, ParsedRotation, parse_rotation};
 use crate::perturbation::Side;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
-    AngleUnitAssumed, Column, Components, Euler, Fact, Form, Normalised, Note, OrderAssumed,
-    OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles, ReadGimbalLock, ReadMatrix,
-    ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn, UnknownConstructor,
-    UsedNearestRotation, coordinates, plain, rows3, rows4,
+    AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
+    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles,
+    ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
+    UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
-use crate::rotation_matrix::{MatrixConvention, TaggedMatrix};
-use crate::scaling::{UNIT_ROUNDOFF, times_power_of_two, working_scale};
-use nalgebra::{Matrix3, Quaternion, Vector3};
+use crate::rotation_matrix::MatrixConvention;
+use crate::scaling::UNIT_ROUNDOFF;
+use crate::suggestion::with_suggestion;
+use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::TAU;
 
 /// A scalar part this small is a rounded cosine of 90°: the turn is half a turn.
 const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
 
-/// A matrix this far from the nearest rotation (Frobenius norm) is not one with rounded entries: two
-/// decimals are off by 0.015 at most.
-const LARGEST_CORRECTION: f64 = 0.1;
+/// Nearer than this, in radians, to no turn or to half a turn, rounding decides more than the text.
+///
+/// Near no turn the vector part of length 5e-5 is off by up to √3 · 5e-7 in six decimals, and the
+/// axis by a degree. Near half a turn the scalar is 5e-5, which four decimals write as 0, and with
+/// it the sign of the axis is lost.
+const NEARLY_RAD: f64 = 1e-4;
+
+/// Nearer to gimbal lock than this, in radians, an error of the attitude is a hundred times as large in
+/// the outer angles: of six decimals four are left.
+const NEAR_LOCK_RAD: f64 = 1e-2;
+
+/// The most that six decimals change a vector of three components.
+const ROUNDING_OF_SIX_DECIMALS: f64 = 0.5e-6 * 1.732_050_807_568_877_2;
 
 /// Nine entries that are rounded to doubles are off by less, together; of them nothing is said.
 const SMALLEST_CORRECTION_TOLD: f64 = 4.0 * f64::EPSILON;
@@ -45,8 +56,8 @@ pub(crate) struct Attitude {
     form: Form,
     /// How the text of a quaternion told its order.
     parsed: Option<ParsedQuaternion>,
-    /// How the unit of the angles was told, where there are any.
-    unit: Option<UnitSource>,
+    /// The unit of the angles, where it was only assumed.
+    unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
     declared: Convention,
@@ -56,7 +67,15 @@ pub(crate) struct Attitude {
 }
 
 impl Attitude {
+    /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        let read = |text: &str| Self::read(text, field, declared);
+        read(text).map_err(|problem| {
+            with_suggestion(problem, text, &|candidate| read(candidate).map(drop))
+        })
+    }
+
+    fn read(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
         let Declared { convention, matrix } = declared;
         let span = Span::of_trimmed(text);
         let in_field = |fault: Fault| fault.in_field(field);
@@ -90,7 +109,11 @@ impl Attitude {
                 (Form::EulerAngles(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::Matrix(entries) => {
-                let (read, rotation) = of_matrix(entries, matrix, span).map_err(in_field)?;
+                let (read, rotation) =
+                    of_matrix(entries, matrix, span).map_err(|refusal| Problem {
+                        suggestion: refusal.suggestion,
+                        ..in_field(refusal.fault)
+                    })?;
                 (Form::Matrix(read), Ok(rotation), None)
             }
         };
@@ -99,7 +122,10 @@ impl Attitude {
         Ok(Self {
             form,
             parsed: None,
-            unit,
+            unit: match unit {
+                Some(UnitSource::Assumed(unit)) => Some(unit_assumed(text, unit)),
+                _ => None,
+            },
             row_marks: is_matrix.then(|| RowMarks::of(text)),
             declared: convention,
             tagged: rotation.to_tagged(convention),
@@ -185,9 +211,7 @@ impl Attitude {
     pub(crate) fn notes(&self, field: Field) -> Vec<Note> {
         let mut facts = Vec::new();
         facts.extend(self.order_fact());
-        if let Some(UnitSource::Assumed(unit)) = self.unit {
-            facts.push(Fact::AngleUnitAssumed(AngleUnitAssumed { unit }));
-        }
+        facts.extend(self.unit.clone().map(Fact::AngleUnitAssumed));
         if self.row_marks == Some(RowMarks::None) {
             facts.extend(self.rows_fact());
         }
@@ -207,12 +231,37 @@ impl Attitude {
         if self.parsed.is_some() && self.tagged.components.w < 0.0 {
             facts.push(Fact::NegativeScalar);
         }
-        if self.rotation.axis().is_none() {
-            facts.push(Fact::NoTurn);
-        } else if self.rotation.to_tagged(self.declared).components.w.abs() <= HALF_TURN_SCALAR {
-            facts.push(Fact::HalfTurn);
-        }
+        facts.extend(self.extreme_fact());
         facts.into_iter().map(|fact| Note { field, fact }).collect()
+    }
+
+    /// That the turn is none or half a turn, or nearly.
+    fn extreme_fact(&self) -> Option<Fact> {
+        if self.rotation.axis().is_none() {
+            return Some(Fact::NoTurn);
+        }
+        let unit = self.rotation.to_tagged(self.declared).components;
+        let scalar = unit.w.abs();
+        if scalar <= HALF_TURN_SCALAR {
+            return Some(Fact::HalfTurn);
+        }
+        let angle_rad = self.rotation.angle_rad();
+        if angle_rad < NEARLY_RAD {
+            let error = ROUNDING_OF_SIX_DECIMALS / unit.vector().norm();
+            return Some(Fact::NearlyNoTurn(NearlyNoTurn {
+                angle_rad,
+                angle_deg: angle_rad.to_degrees(),
+                axis_uncertain_by_deg: (error < 1.0).then(|| libm::asin(error).to_degrees()),
+            }));
+        }
+        // The difference from π by the scalar, which keeps its digits.
+        let short_by_rad = 2.0 * libm::asin(scalar);
+        (short_by_rad < NEARLY_RAD).then(|| {
+            Fact::NearlyHalfTurn(NearlyHalfTurn {
+                short_by_rad,
+                short_by_deg: short_by_rad.to_degrees(),
+            })
+        })
     }
 
     /// That rows were assumed, where columns would be another rotation.
@@ -263,49 +312,27 @@ impl Attitude {
     }
 }
 
-fn of_matrix(
-    entries: Matrix3<f64>,
-    convention: MatrixConvention,
-    span: Span,
-) -> Result<(ReadMatrix, Rotation), Fault> {
-    let typed = TaggedMatrix {
-        entries,
-        convention,
+/// The unit that was assumed, and the texts that say it.
+fn unit_assumed(text: &str, unit: AngleUnit) -> AngleUnitAssumed {
+    let written = |unit: AngleUnit, word: &str| {
+        let text = text.trim_end();
+        let says_so = |candidate: &String| {
+            let read = parse_rotation(candidate, Field::Quaternion, ComponentOrder::ScalarFirst);
+            read.is_ok_and(|read| read.unit() == Some(UnitSource::Written(unit)))
+        };
+        // Once for all at the end, or beside the first number, as in `45 about z`.
+        let mut candidates = vec![format!("{text} {word}")];
+        candidates.extend(
+            text.split_once(char::is_whitespace)
+                .map(|(first, rest)| format!("{first} {word} {rest}")),
+        );
+        candidates.into_iter().find(says_so)
     };
-    let is_near = |entries| {
-        Rotation::nearest_to_matrix(&TaggedMatrix {
-            entries,
-            convention,
-        })
-        .is_ok_and(|nearest| nearest.correction <= LARGEST_CORRECTION)
-    };
-    // Divided by a power of two, so that no length overflows or vanishes.
-    let exponent = working_scale(entries.as_slice());
-    let scaled = entries.map(|entry| times_power_of_two(entry, exponent));
-    let scaled_lengths = [0, 1, 2].map(|column| scaled.column(column).norm());
-    let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
-    let nearest = Rotation::nearest_to_matrix(&typed).map_err(|reason| match reason {
-        NoNearestRotation::Reflection if is_near(-entries) => Fault::reflection(span),
-        NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths),
-        NoNearestRotation::NotFinite => Fault::too_large(span),
-        NoNearestRotation::Singular if entries.amax() == 0.0 => Fault::zero_matrix(span),
-        NoNearestRotation::Singular => Fault::singular_matrix(span),
-    })?;
-    if nearest.correction > LARGEST_CORRECTION {
-        let scale = scaled_lengths.iter().sum::<f64>() / 3.0;
-        return Err(if is_near(scaled / scale) {
-            Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
-        } else {
-            Fault::not_a_rotation(span, lengths)
-        });
+    AngleUnitAssumed {
+        unit,
+        in_degrees: written(AngleUnit::Degrees, "deg"),
+        in_radians: written(AngleUnit::Radians, "rad"),
     }
-    let read = ReadMatrix {
-        rows: rows3(&entries),
-        convention,
-        orthogonality_error: typed.orthogonality_error(),
-        correction: nearest.correction,
-    };
-    Ok((read, nearest.rotation))
 }
 
 pub(crate) fn rules(convention: Convention) -> Rules {
@@ -325,6 +352,8 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
     let angles_rad = found
         .gimbal_lock
         .map_or(found.angles_rad, |lock| lock.canonical_rad);
+    let distance_rad = found.lock_distance_rad;
+    let is_near = found.gimbal_lock.is_none() && distance_rad < NEAR_LOCK_RAD;
     Euler {
         sequence,
         angles_rad: angles_rad.map(plain),
@@ -335,6 +364,7 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
             lost: sequence.lost_at_lock(),
             distance_deg: plain(lock.distance_rad.to_degrees()),
         }),
+        near_lock_deg: is_near.then(|| distance_rad.to_degrees()),
     }
 }
 

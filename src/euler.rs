@@ -20,6 +20,9 @@ pub struct EulerAngles {
     /// The angles in the order of the sequence: the outer ones above −π and up to π, the middle one
     /// from −π/2 to π/2, or from 0 to π where the outer axes are the same.
     pub angles_rad: [f64; 3],
+    /// How far the middle angle is from gimbal lock, at most π/2: a small error of the attitude moves
+    /// the outer angles by up to that error divided by this distance.
+    pub lock_distance_rad: f64,
     /// Present where the sequence is locked, or so near that the outer angles mean little.
     pub gimbal_lock: Option<GimbalLock>,
 }
@@ -137,6 +140,7 @@ impl Rotation {
         EulerAngles {
             sequence,
             angles_rad: in_order(extrinsic.angles()),
+            lock_distance_rad: distance_rad,
             gimbal_lock,
         }
     }

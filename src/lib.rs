@@ -41,6 +41,9 @@ pub use nalgebra;
 /// One problem: a code, a place, what was expected, what to try.
 pub mod problem;
 
+/// A text that has a problem, rewritten so that it is read.
+pub mod suggestion;
+
 /// The unit of an angle.
 pub mod angle;
 
@@ -232,6 +235,9 @@ pub mod parse;
 
 // The whole road.
 
+// Nine numbers to an attitude, or what is nearest to them.
+mod matrix_reading;
+
 // A text to an attitude, and the attitude to numbers in a convention.
 mod attitude;
 
@@ -301,6 +307,7 @@ pub use rotation_vector::{
     AxisVector, compose_rotation_vectors, half_angle_exponential, left_jacobian,
     left_jacobian_inverse, right_jacobian, right_jacobian_inverse,
 };
+pub use suggestion::{Remedy, Suggestion};
 
 /// The examples of the README, compiled and run.
 #[cfg(doctest)]

@@ -8,6 +8,19 @@ const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 pub(crate) const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
      three rows";
 
+const AXES: [&str; 3] = ["x", "y", "z"];
+const ORDINALS: [&str; 3] = ["first", "second", "third"];
+
+/// What a reflection flips.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mirror {
+    All,
+    /// The axis that stands against itself.
+    Axis(usize),
+    /// The matrix alone does not tell which; with this one flipped the turn is smallest.
+    Nearest(usize),
+}
+
 impl Fault {
     pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
         let (shape, hint) = match found {
@@ -55,13 +68,30 @@ impl Fault {
         )
     }
 
-    pub(crate) fn reflection(span: Span) -> Self {
+    pub(crate) fn reflection(span: Span, mirror: Mirror) -> Self {
+        let (what, hint) = match mirror {
+            Mirror::All => (
+                "all three axes are flipped".to_owned(),
+                "change the sign of all nine numbers".to_owned(),
+            ),
+            Mirror::Axis(axis) => (
+                format!("the {} axis is flipped", AXES[axis]),
+                format!("change the sign of the {} column", ORDINALS[axis]),
+            ),
+            Mirror::Nearest(axis) => (
+                format!(
+                    "one axis is flipped, and turning {} back leaves the smallest turn",
+                    AXES[axis]
+                ),
+                format!("change the sign of the {} column", ORDINALS[axis]),
+            ),
+        };
         Self::new(
             ProblemCode::Reflection,
             span,
-            "this matrix is a mirror image: its determinant is negative, and no turn does that",
+            format!("this matrix is a mirror image, which no turn makes: {what}"),
             "a determinant of +1",
-            "look for a row or column with the wrong sign, or for left-handed axes",
+            format!("{hint}, or look for left-handed axes"),
         )
     }
 
@@ -95,14 +125,16 @@ impl Fault {
         )
     }
 
-    pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3]) -> Self {
+    pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3], correction: Option<f64>) -> Self {
         let [x, y, z] = lengths.map(short);
+        let far = match correction {
+            Some(correction) => format!("{} away from the nearest rotation", short(correction)),
+            None => "far from a rotation".to_owned(),
+        };
         Self::new(
             ProblemCode::NotARotation,
             span,
-            format!(
-                "this matrix is far from a rotation: its columns have the lengths {x}, {y}, {z}"
-            ),
+            format!("this matrix is {far}: its columns have the lengths {x}, {y}, {z}"),
             "columns of length 1 at right angles",
             "look for a missing sign, or for numbers that belong to something else",
         )

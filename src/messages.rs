@@ -23,6 +23,7 @@ impl Fault {
             message: self.message,
             expected: self.expected,
             hint: self.hint,
+            suggestion: None,
         }
     }
 

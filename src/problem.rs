@@ -3,6 +3,7 @@
 //! A problem never ends the program: it is data, returned in place of a
 //! report. The sentences are written in `messages.rs`.
 
+use crate::suggestion::Suggestion;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;
@@ -239,6 +240,9 @@ pub struct Problem {
     pub expected: String,
     /// What to try.
     pub hint: String,
+    /// The text to write in its place, where that is certain; in the answers of
+    /// [`analyze`](fn@crate::analyze) only.
+    pub suggestion: Option<Suggestion>,
 }
 
 impl fmt::Display for Problem {
@@ -254,7 +258,7 @@ const EXCERPT_CHARACTERS: usize = 32;
 
 impl Problem {
     /// The problem as lines of text: the message, the line at fault with carets under the place,
-    /// what was expected and what to try.
+    /// what was expected and what to try, and the text to write where there is one.
     ///
     /// ```
     /// # use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
@@ -283,8 +287,12 @@ impl Problem {
         let marked = shorten(&marked, EXCERPT_CHARACTERS);
         let tail = shorten(&after, EXCERPT_CHARACTERS);
         let carets = "^".repeat(marked.width().max(1));
+        let write = self
+            .suggestion
+            .as_ref()
+            .map_or_else(String::new, |found| format!("write:\n{}\n", found.text));
         format!(
-            "{}: {}\n  | {}{}{}\n  | {}{}\nexpected: {}\ntry: {}\n",
+            "{}: {}\n  | {}{}{}\n  | {}{}\nexpected: {}\ntry: {}\n{write}",
             self.code.name(),
             self.message,
             lead,

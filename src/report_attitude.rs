@@ -201,6 +201,8 @@ pub struct Euler {
     pub angles_deg: [f64; 3],
     /// Present at gimbal lock, where only a sum or difference of the outer angles is determined.
     pub gimbal_lock: Option<ReadGimbalLock>,
+    /// Present near gimbal lock, but not at it: how far the middle angle is from it, in degrees.
+    pub near_lock_deg: Option<f64>,
 }
 
 /// What is left of the outer angles at gimbal lock.

@@ -42,8 +42,12 @@ pub enum Fact {
     NegativeScalar,
     /// The rotation is none: every axis is as good, so none is given.
     NoTurn,
+    /// So small a turn that its axis hardly shows in rounded numbers.
+    NearlyNoTurn(NearlyNoTurn),
     /// Half a turn: the axis and its opposite describe the same rotation.
     HalfTurn,
+    /// So near to half a turn that rounding may give the axis the opposite sign.
+    NearlyHalfTurn(NearlyHalfTurn),
     /// Some number is beyond what a double can hold and is left out.
     OutOfRange(OutOfRange),
 }
@@ -93,9 +97,14 @@ pub struct UnknownConstructor {
 /// The data of [`Fact::AngleUnitAssumed`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
 pub struct AngleUnitAssumed {
     /// The unit that was used.
     pub unit: AngleUnit,
+    /// The same text with the word for degrees; absent where there is no plain place for it.
+    pub in_degrees: Option<String>,
+    /// The same text with the word for radians; absent where there is no plain place for it.
+    pub in_radians: Option<String>,
 }
 
 /// The data of [`Fact::RowsAssumed`].
@@ -117,6 +126,31 @@ pub struct UsedNearestRotation {
     pub orthogonality_error: f64,
     /// The Frobenius norm of the difference between the two.
     pub correction: f64,
+}
+
+/// The data of [`Fact::NearlyNoTurn`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct NearlyNoTurn {
+    /// The angle, less than 1e-4 radians.
+    pub angle_rad: f64,
+    /// The same angle in degrees.
+    pub angle_deg: f64,
+    /// How far the axis is off, in degrees, where the quaternion is rounded to six decimals; absent
+    /// where it may then be any.
+    pub axis_uncertain_by_deg: Option<f64>,
+}
+
+/// The data of [`Fact::NearlyHalfTurn`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct NearlyHalfTurn {
+    /// What the angle lacks of π, less than 1e-4 radians.
+    pub short_by_rad: f64,
+    /// The same in degrees.
+    pub short_by_deg: f64,
 }
 
 /// The data of [`Fact::OutOfRange`].

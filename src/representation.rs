@@ -26,6 +26,16 @@ pub enum ParsedRotation {
 }
 
 impl ParsedRotation {
+    /// How the unit of its angles was told; `None` where it has none.
+    pub(crate) const fn unit(&self) -> Option<UnitSource> {
+        match self {
+            Self::AxisAngle(parsed) => Some(parsed.unit),
+            Self::RotationVector(parsed) => Some(parsed.unit),
+            Self::EulerAngles(parsed) => Some(parsed.unit),
+            Self::Quaternion(_) | Self::Matrix(_) => None,
+        }
+    }
+
     /// What it is, for the sentences of problems.
     pub(crate) const fn in_words(&self) -> &'static str {
         match self {

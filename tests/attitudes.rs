@@ -64,13 +64,118 @@ fn the_text_is_reported_as_it_was_read() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn an_angle_without_a_unit_is_told() {
-    let assumed = |unit| Fact::AngleUnitAssumed(AngleUnitAssumed { unit });
     let told = |text| facts(&read(text, "1 0 0", Convention::HAMILTON));
-    assert_eq!(told("ZYX 30 20 10"), [assumed(AngleUnit::Degrees)]);
-    assert_eq!(told("ZYX 3 2 1"), [assumed(AngleUnit::Radians)]);
+    let assumed = |unit, text: &str| {
+        Fact::AngleUnitAssumed(AngleUnitAssumed {
+            unit,
+            in_degrees: Some(format!("{text} deg")),
+            in_radians: Some(format!("{text} rad")),
+        })
+    };
+    let degrees = assumed(AngleUnit::Degrees, "ZYX 30 20 10");
+    assert_eq!(told("ZYX 30 20 10"), [degrees]);
+    let radians = assumed(AngleUnit::Radians, "ZYX 3 2 1");
+    assert_eq!(told("ZYX 3 2 1\n"), [radians]);
     assert_eq!(told("ZYX 3rad 2rad 1rad"), []);
-    assert_eq!(told("rotvec 0 0 90"), [assumed(AngleUnit::Radians)]);
+    let long = assumed(AngleUnit::Radians, "rotvec 0 0 90");
+    assert_eq!(told("rotvec 0 0 90"), [long]);
     assert_eq!(told("rotvec 0 0 0.9"), []);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_text_with_an_assumed_unit_is_offered_with_each_unit() {
+    for text in [
+        "ZYX 30 20 10",
+        "45 about z",
+        "0.5 about [0, 3, 4]",
+        "axis-angle [0 0 1] 0.785",
+        "roll=0.1 pitch=0.2 yaw=0.3",
+        "rpy 10 20 30",
+        "rotvec 0 0 7",
+    ] {
+        let told = facts(&read(text, "1 0 0", Convention::HAMILTON));
+        let [Fact::AngleUnitAssumed(assumed)] = &told[..] else {
+            panic!("{text}: {told:?}")
+        };
+        let degrees = assumed.in_degrees.as_deref().expect(text);
+        let radians = assumed.in_radians.as_deref().expect(text);
+        let turned = |text| {
+            read(text, "1 0 0", Convention::HAMILTON)
+                .hamilton
+                .unit
+                .array
+        };
+        assert_eq!(facts(&read(degrees, "1 0 0", Convention::HAMILTON)), []);
+        let (as_read, other) = match assumed.unit {
+            AngleUnit::Degrees => (degrees, radians),
+            AngleUnit::Radians => (radians, degrees),
+        };
+        assert_eq!(turned(as_read), turned(text), "{text}");
+        assert_ne!(turned(other), turned(text), "{text}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn nearly_no_turn_is_told_below_a_ten_thousandth_of_a_radian() {
+    let told = |text| facts(&read(text, "1 0 0", Convention::JPL));
+    for text in [
+        "rotvec 0 0.0001 0",
+        "rotvec 0 0.000101 0",
+        "rotvec 0 0.01 0",
+    ] {
+        assert_eq!(told(text), [], "{text}");
+    }
+    let [Fact::NearlyNoTurn(near)] = &told("rotvec 0 0.000099 0")[..] else {
+        panic!("a note")
+    };
+    assert_close("angle", &[near.angle_rad], &[9.9e-5], 1e-19);
+    // asin(√3 · 5e-7 / 4.95e-5), by hand.
+    let uncertain = near.axis_uncertain_by_deg.expect("an angle");
+    assert_close(
+        "axis",
+        &[near.angle_deg, uncertain],
+        &[0.005_672_282, 1.002_467_3],
+        1e-6,
+    );
+    // A vector part of 8.660e-7 is as large as its rounding: any axis.
+    let [Fact::NearlyNoTurn(near)] = &told("rotvec 0 0 -1.7e-6")[..] else {
+        panic!("a note")
+    };
+    assert_eq!(near.axis_uncertain_by_deg, None);
+    // The same turn of either sign of q, with any norm.
+    assert!(matches!(
+        told("-3 + 0.00014k")[..],
+        [.., Fact::NearlyNoTurn(_)]
+    ));
+    assert!(!matches!(
+        told("-3 + 0.00016k")[..],
+        [.., Fact::NearlyNoTurn(_)]
+    ));
+    assert_eq!(told("1 + 0k"), [Fact::NoTurn]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn nearly_half_a_turn_is_told_within_a_ten_thousandth_of_a_radian() {
+    let told = |text| facts(&read(text, "1 0 0", Convention::HAMILTON));
+    for text in ["(pi - 0.0001001) rad about x", "179.99 deg about [1, 2, 3]"] {
+        assert_eq!(told(text), [], "{text}");
+    }
+    for text in [
+        "(pi - 0.0000999) rad about x",
+        "(pi + 0.0000999) rad about x",
+    ] {
+        let [Fact::NearlyHalfTurn(near)] = &told(text)[..] else {
+            panic!("{text}: {:?}", told(text))
+        };
+        let short_by = [near.short_by_rad, near.short_by_deg];
+        assert_close(text, &short_by, &[9.99e-5, 0.005_723_848_4], 1e-10);
+    }
+    // The last digit of the scalar is kept: 2 asin(1e-15).
+    let [Fact::NearlyHalfTurn(near)] = &told("1e-15 + 1i")[..] else {
+        panic!("a note")
+    };
+    assert_eq!(near.short_by_rad, 2e-15);
+    assert_eq!(told("180 deg about x"), [Fact::HalfTurn]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -139,6 +244,28 @@ fn nine_numbers_without_rows_are_read_by_rows_and_that_is_said() {
         "-1 0 0 0 -1 0 0 0 1",
     ] {
         assert_eq!(rows_assumed(marked), None, "{marked}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn near_gimbal_lock_the_distance_is_told() {
+    let euler = |text| read(text, "1 0 0", Convention::HAMILTON).euler;
+    for text in ["ZYX 30deg 89.42deg 10deg", "ZYX 30deg -89.42deg 10deg"] {
+        assert_eq!(euler(text).near_lock_deg, None, "{text}");
+    }
+    // A hundredth of a radian is 0.573°.
+    for text in ["ZYX 30deg 89.44deg 10deg", "ZYX 30deg -89.44deg 10deg"] {
+        let near = euler(text).near_lock_deg.expect(text);
+        assert_close(text, &[near], &[0.56], 1e-13);
+    }
+    // At the lock that is told instead.
+    assert_eq!(euler("ZYX 30deg 90deg 10deg").near_lock_deg, None);
+    // With equal outer axes the lock is at 0 and at 180°.
+    for text in ["ZXZ 30deg 0.5deg 10deg", "ZXZ 30deg 179.5deg 10deg"] {
+        let mut request = ReadRequest::new(text, "1 0 0", Convention::HAMILTON);
+        request.euler = "ZXZ".parse().expect("a sequence");
+        let near = report(request).euler.near_lock_deg.expect(text);
+        assert_close(text, &[near], &[0.5], 1e-13);
     }
 }
 

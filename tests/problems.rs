@@ -8,7 +8,7 @@
 mod common;
 
 use common::{problems, read_request, wasm_bindgen_test};
-use quatlas::{Convention, Field, Problem, analyze};
+use quatlas::{Convention, Field, Outcome, Problem, Remedy, analyze};
 
 macro_rules! cases {
     ($($name:literal,)+) => {
@@ -29,10 +29,12 @@ const CASES: &[(&str, &str)] = cases![
     "a-method-after-the-value",
     "a-missing-yaw",
     "a-number-in-two-forms",
+    "a-power-of-a-number",
     "a-sequence-against-its-frame",
     "a-sequence-or-a-number",
     "a-sum-of-an-angle-and-a-number",
     "a-unit-beside-one-angle",
+    "a-unit-mark-apart",
     "a-unit-vector-and-a-number",
     "an-angle-among-numbers",
     "an-axis-that-a-call-does-not-normalise",
@@ -72,6 +74,9 @@ const CASES: &[(&str, &str)] = cases![
     "euler-angles-without-a-sequence",
     "five-numbers",
     "four-numbers-of-roll-pitch-yaw",
+    "full-width-digits",
+    "full-width-marks",
+    "homogeneous-matrix",
     "infinity",
     "infinity-sign",
     "letters",
@@ -80,6 +85,7 @@ const CASES: &[(&str, &str)] = cases![
     "many-signs",
     "matlab-scale-factor",
     "matrix-far-from-a-rotation",
+    "matrix-near-a-rotation",
     "matrix-of-eight-numbers",
     "matrix-of-eight-numbers-announced",
     "matrix-of-four-rows",
@@ -89,6 +95,8 @@ const CASES: &[(&str, &str)] = cases![
     "matrix-of-unequal-rows-in-brackets",
     "matrix-of-zeros",
     "matrix-that-is-a-reflection",
+    "matrix-that-is-a-reflection-of-a-turn",
+    "matrix-that-is-minus-a-turn",
     "matrix-that-is-scaled",
     "matrix-that-is-scaled-beyond-squares",
     "matrix-that-is-scaled-to-almost-nothing",
@@ -96,9 +104,12 @@ const CASES: &[(&str, &str)] = cases![
     "matrix-without-an-inverse",
     "microsoft-nan",
     "minus-apart-from-its-number",
+    "minus-between-spaces",
     "missing-component",
+    "missing-components-of-json",
     "missing-number-at-the-end",
     "missing-sign",
+    "missing-sign-after-a-comma",
     "nan",
     "nine-numbers-of-a-quaternion",
     "number-without-a-name",
@@ -116,6 +127,7 @@ const CASES: &[(&str, &str)] = cases![
     "ten-thousand-brackets",
     "ten-thousand-brackets-that-close",
     "text-of-100-kb",
+    "the-last-number-without-a-name",
     "three-numbers",
     "too-large",
     "too-large-product",
@@ -130,6 +142,7 @@ const CASES: &[(&str, &str)] = cases![
     "uncertainty-in-brackets",
     "unclosed-bracket",
     "unclosed-bracket-at-the-end",
+    "unclosed-brackets-in-brackets",
     "unit-in-a-function",
     "unit-under-a-name",
     "unknown-axis",
@@ -146,9 +159,28 @@ const CASES: &[(&str, &str)] = cases![
     "vector-with-a-missing-component",
     "vector-with-a-named-scalar",
     "vector-with-a-scalar",
+    "vector-with-decimal-commas",
     "wide-characters-before-the-error",
     "zero-by-names",
     "zero-quaternion",
+];
+
+/// Each has a case at least.
+const REMEDIES: &[Remedy] = &[
+    Remedy::MatchBrackets,
+    Remedy::DecimalPoints,
+    Remedy::PlainCharacters,
+    Remedy::RemoveMark,
+    Remedy::AttachSign,
+    Remedy::AddSign,
+    Remedy::AddZeros,
+    Remedy::NameNumber,
+    Remedy::SameUnit,
+    Remedy::WriteZero,
+    Remedy::WriteIdentity,
+    Remedy::RotationPart,
+    Remedy::RestoreAxis,
+    Remedy::NearestRotation,
 ];
 
 struct Case {
@@ -217,6 +249,31 @@ fn bless(name: &str, file: &str, expected: &str, rendered: &str) {
             .expect("the file ends as expected");
         let path = format!("{}/tests/problems/{name}.txt", env!("CARGO_MANIFEST_DIR"));
         std::fs::write(path, format!("{upper}{rendered}")).expect("a writable folder");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn every_suggestion_is_read() {
+    let mut suggested = Vec::new();
+    for (name, file) in CASES {
+        let (case, _) = Case::parse(file);
+        let Some(suggestion) = case.problem().suggestion else {
+            continue;
+        };
+        let text = &suggestion.text;
+        let request = match case.field {
+            Field::Vector => read_request("1 0 0 0", text, Convention::HAMILTON),
+            _ => read_request(text, "1 0 0", Convention::HAMILTON),
+        };
+        let outcome = analyze(&request);
+        assert!(
+            matches!(outcome, Outcome::Read(_)),
+            "{name}: {text}\n{outcome:?}"
+        );
+        suggested.push(suggestion.remedy);
+    }
+    for remedy in REMEDIES {
+        assert!(suggested.contains(remedy), "no case has {remedy:?}");
     }
 }
 

@@ -11,6 +11,7 @@ import "./view/comfort.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
 import "./view/libraries.css";
+import "./view/notes.css";
 import "./view/picker.css";
 import "./view/picture.css";
 import "./view/translate.css";

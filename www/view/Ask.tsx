@@ -2,15 +2,16 @@
 import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import type { Preset } from "../address.ts";
-import type { Field } from "../engine.ts";
+import type { Field, Problem } from "../engine.ts";
+import { applyFirst, fixOfProblem, type TextName } from "../fixes.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
+import { problemWords } from "../words/notes.tsx";
 import { MoreAxes } from "./Axes.tsx";
 import { MarkedText } from "./MarkedText.tsx";
+import { FixButton } from "./Notes.tsx";
 import { NumberSettings } from "./Settings.tsx";
 import { UndoRedo } from "./UndoRedo.tsx";
 import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
-
-type TextName = "quaternion" | "p" | "q" | "vector" | "translated" | "worldAxes" | "bodyAxes";
 
 /** The texts that a view is about. */
 const heroes: readonly Field[] = ["quaternion", "p", "q"];
@@ -34,7 +35,7 @@ export function TextField({
   const problem = store.problemOf(field);
   return (
     <div class={`field ${heroes.includes(field) ? "field-hero" : "field-plain"}`}>
-      <div class="field-box">
+      <div class="field-box" data-field={field}>
         <label for={id} class="field-label">
           <span class="visually-hidden">{label}</span>
           <var>{symbolOf[field]}</var>
@@ -46,6 +47,7 @@ export function TextField({
           problem={problem}
           describedBy={problem && problemId(field)}
           onInput={(typed) => store.set({ [name]: typed })}
+          onAltEnter={() => applyFirst(store, field)}
         />
       </div>
     </div>
@@ -103,28 +105,54 @@ export function AskStatus({
     <div class="ask-status">
       {problems.length === 0
         ? children
-        : problems.map(({ field, message, expected, hint }, at) => (
-            <div key={field} class="problem" id={problemId(field)}>
-              <p class="problem-head">
-                <span class="problem-message">
-                  <var>{symbolOf[field]}</var>: {message}.
-                </span>{" "}
-                {at === 0 && <span class="old-result">{standsBelow(freshness)}</span>}
-              </p>
-              <p>
-                <span class="problem-key">Expected</span> {expected}.{" "}
-                <span class="problem-key">Try</span> {hint}.
-              </p>
-            </div>
+        : problems.map((problem, at) => (
+            <ProblemWords key={problem.field} store={store} problem={problem}>
+              {at === 0 && (
+                <span class="old-result">
+                  {freshness === "opening" ? problemWords.opening : problemWords.old}
+                </span>
+              )}
+            </ProblemWords>
           ))}
     </div>
   );
 }
 
-function standsBelow(freshness: Freshness | undefined): string {
-  return freshness === "opening"
-    ? "What stands below is the example that the page opens with."
-    : "What stands below is the last result, from before this problem.";
+/** A problem, what was expected, and what to do: by hand, or with the button that does it. */
+function ProblemWords({
+  store,
+  problem: { field, message, expected, hint, suggestion },
+  children,
+}: {
+  store: Store;
+  problem: Problem;
+  /** What stands at the end of its first line. */
+  children: ComponentChildren;
+}) {
+  const fix = fixOfProblem(store, field);
+  return (
+    <div class="problem" id={problemId(field)}>
+      <p class="problem-head">
+        <span class="problem-message">
+          <var>{symbolOf[field]}</var>: {message}.
+        </span>{" "}
+        {children}
+      </p>
+      <p class="problem-help">
+        <span>
+          <span class="problem-key">{problemWords.expected}</span> {expected}.{" "}
+          <span class={fix && "problem-by-hand"}>
+            <span class="problem-key">{problemWords.try}</span> {hint}.
+          </span>
+        </span>
+        {fix && (
+          <FixButton store={store} field={field} fix={fix}>
+            <code class="fix-text">{suggestion?.text}</code>
+          </FixButton>
+        )}
+      </p>
+    </div>
+  );
 }
 
 const presets: Preset[] = ["hamilton", "jpl"];

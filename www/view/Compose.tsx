@@ -37,7 +37,7 @@ export function Compose({ store }: { store: Store }) {
                 <var>q</var>{" "}
                 <NamedComponents quaternion={shownResult.report.q} digits={digits} unit={unit} />
               </p>
-              <Notes notes={shownResult.report.notes} digits={digits} unit={unit} />
+              <Notes notes={shownResult.report.notes} store={store} />
             </div>
           )}
         </AskRest>

@@ -5,6 +5,7 @@ import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, fromDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
+import { gimbalLockWords, nearLockWords } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { numberGroup } from "./number_group.ts";
@@ -122,14 +123,24 @@ function GimbalLock({
   digits: Digits;
   unit: Unit;
 }) {
-  const lock = euler.gimbalLock;
+  const { gimbalLock: lock, nearLockDeg } = euler;
+  if (nearLockDeg !== undefined) {
+    return <p class="gimbal-lock">{nearLockWords(nearLockDeg, unit)}</p>;
+  }
   if (lock === undefined) return null;
   const sign = lock.survivor === "sum" ? "+" : "−";
   return (
     <p class="gimbal-lock">
-      <strong>Gimbal lock</strong>: the outer axes are one line, and only {names[0]} {sign}{" "}
-      {names[2]} = <code>{shownAngle(fromDegrees(lock.survivorDeg), digits, unit)}</code> is
-      determined; {names[lock.lost]} is set to 0.
+      {gimbalLockWords({
+        names,
+        sign,
+        survivor: shownAngle(fromDegrees(lock.survivorDeg), digits, unit),
+        lost: names[lock.lost],
+        distance:
+          lock.distanceDeg === 0
+            ? undefined
+            : shownAngle(fromDegrees(lock.distanceDeg), digits, unit),
+      })}
     </p>
   );
 }

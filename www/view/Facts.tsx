@@ -3,11 +3,14 @@ import type { Digits } from "../address.ts";
 
 import { turnValues } from "../copy/values.ts";
 import type { ReadReport } from "../engine.ts";
+import { negates } from "../fixes.ts";
 import { exact, exactArray, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
+import { otherSign } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
+import { FixButton, NoteOfTurn } from "./Notes.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { type NumberGroup, numberGroup } from "./number_group.ts";
 
@@ -57,9 +60,9 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         </p>
         <p>
           <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>.{" "}
-          {axis === undefined
-            ? fieldWords.everyAxis
-            : "Carries the world axes onto the body axes, right-handed."}
+          <NoteOfTurn notes={report.notes} store={store}>
+            Carries the world axes onto the body axes, right-handed.
+          </NoteOfTurn>
         </p>
       </div>
       <div class="fact">
@@ -83,13 +86,18 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
       </div>
       <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
-        <h2>The other sign</h2>
+        <h2>{otherSign.heading}</h2>
         <p class="fact-value">
           <code>{shownArray(opposite, digits)}</code>
           <Copy of="minus q" text={exactArray(opposite)} value={values.opposite} />
         </p>
         <p>
-          −<var>q</var>, as <code>w x y z</code>: the same rotation, not its inverse.
+          {otherSign.words}
+          <FixButton
+            store={store}
+            field="quaternion"
+            fix={negates(store, "quaternion", "quaternion")}
+          />
         </p>
       </div>
     </section>

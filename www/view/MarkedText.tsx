@@ -12,6 +12,7 @@ export function MarkedText({
   describedBy,
   onInput,
   onEnter,
+  onAltEnter,
 }: {
   id: string;
   name?: string;
@@ -22,6 +23,8 @@ export function MarkedText({
   onInput: (text: string) => void;
   /** What the Enter key does; it starts a new line where this is absent. */
   onEnter?: (() => void) | undefined;
+  /** What Enter does with the Alt key held. */
+  onAltEnter?: () => void;
 }) {
   const mirror = useRef<HTMLPreElement>(null);
   return (
@@ -42,9 +45,10 @@ export function MarkedText({
         aria-describedby={describedBy}
         onInput={(event) => onInput(event.currentTarget.value)}
         onKeyDown={(event) => {
-          if (event.key !== "Enter" || event.shiftKey || event.isComposing || !onEnter) return;
+          const does = event.altKey ? onAltEnter : onEnter;
+          if (event.key !== "Enter" || event.shiftKey || event.isComposing || !does) return;
           event.preventDefault();
-          onEnter();
+          does();
         }}
         onScroll={(event) => {
           if (mirror.current) mirror.current.scrollTop = event.currentTarget.scrollTop;

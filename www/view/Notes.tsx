@@ -1,151 +1,101 @@
-// What a careful reader should know about the input: one plain line each.
+// What a careful reader should know about the input: one plain line each, with what mends it.
 import type { ComponentChildren } from "preact";
-import type { Digits, Unit } from "../address.ts";
-import type { ComponentOrder, Note, OrderSource } from "../engine.ts";
-import { shown, shownRoughAngle } from "../format.ts";
-import { lettersOf, symbolOf } from "./words.ts";
+import type { Fact, Field, Note } from "../engine.ts";
+import { apply, type Fix, fixesOfNote, keyFix } from "../fixes.ts";
+import type { Store } from "../state.ts";
+import { fixKey, noteWords } from "../words/notes.tsx";
 
-export function Notes({
-  notes,
-  digits,
-  unit,
-}: {
-  notes: readonly Note[];
-  digits: Digits;
-  unit: Unit;
-}) {
-  if (notes.length === 0) return null;
+/** Facts about the axis and the angle, which stand beside them in the Read view. */
+const ofTheTurn: readonly Fact["kind"][] = [
+  "no-turn",
+  "nearly-no-turn",
+  "half-turn",
+  "nearly-half-turn",
+];
+
+export function Notes({ notes, store }: { notes: readonly Note[]; store: Store }) {
+  const { digits, unit, view } = store.state.value;
+  const here = notes.filter(({ fact }) => view !== "read" || !ofTheTurn.includes(fact.kind));
+  if (here.length === 0) return null;
   return (
     <ul class="notes">
-      {notes.map((note) => (
+      {here.map((note) => (
         <li key={`${note.field} ${note.fact.kind}`}>
           {(note.field === "p" || note.field === "q") && (
             <>
               <var>{note.field}</var>:{" "}
             </>
           )}
-          {words(note, digits, unit)}
+          {noteWords(note, digits, unit)}
+          {fixesOfNote(store, note).map((fix) => (
+            <FixButton key={fix.label} store={store} field={note.field} fix={fix} />
+          ))}
         </li>
       ))}
     </ul>
   );
 }
 
-const otherOrder: Record<ComponentOrder, ComponentOrder> = {
-  "scalar-first": "scalar-last",
-  "scalar-last": "scalar-first",
-};
-
-const sources: Record<OrderSource, string> = {
-  declared: "declaration",
-  named: "names",
-  grouped: "brackets",
-  constructor: "constructor",
-};
-
-function words({ field, fact }: Note, digits: Digits, unit: Unit): ComponentChildren {
-  const symbol = <var>{symbolOf[field]}</var>;
-  switch (fact.kind) {
-    case "normalised":
-      return fact.norm === undefined || fact.deviation === undefined ? (
-        <>The norm is beyond the range of a double; the matrices use the quaternion of norm 1.</>
-      ) : (
-        <>
-          The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
-          <code>{shown(Number(fact.deviation.toPrecision(2)), "all")}</code>: the matrices use{" "}
-          {symbol}/|{symbol}|.
-        </>
-      );
-    case "order-from-text":
-      return (
-        <>
-          The text tells its order by its {sources[fact.source]} ({lettersOf[fact.order]}
-          ), which is not the declared one; the text wins.
-        </>
-      );
-    case "order-assumed":
-      return (
-        <>
-          Bare numbers do not tell their order: read as <code>{lettersOf[fact.order]}</code>. As{" "}
-          <code>{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
-          <code>{shownRoughAngle(fact.otherOrderDiffersByDeg, unit)}</code> away.
-        </>
-      );
-    case "order-invisible":
-      return (
-        <>
-          This input cannot show its order: as <code>w x y z</code> and as <code>x y z w</code> it
-          is the same rotation. Test with another one.
-        </>
-      );
-    case "unknown-constructor":
-      return (
-        <>
-          The order of <code>{fact.name}</code> is not known here: read as{" "}
-          <code>{lettersOf[fact.order]}</code>, as declared.
-        </>
-      );
-    case "angle-unit-assumed":
-      return fact.unit === "degrees" ? (
-        <>
-          The angles have no unit: read as <strong>degrees</strong>, since one of them is more than
-          a full turn in radians. Write <code>deg</code> or <code>rad</code> to be sure.
-        </>
-      ) : (
-        <>
-          The angles have no unit: read as <strong>radians</strong>. Write <code>deg</code> or{" "}
-          <code>rad</code> to be sure.
-        </>
-      );
-    case "rows-assumed":
-      return (
-        <>
-          Nothing marks the rows of the nine numbers: read row by row. Column by column, as some
-          libraries print them, they are the opposite turn,{" "}
-          <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
-        </>
-      );
-    case "nearest-rotation":
-      return (
-        <>
-          The matrix is not quite a rotation (<var>M</var>
-          <sup>T</sup>
-          <var>M</var> is off from <var>I</var> by up to{" "}
-          <code>{shown(Number(fact.orthogonalityError.toPrecision(2)), "all")}</code>): the nearest
-          rotation is used, <code>{shown(Number(fact.correction.toPrecision(2)), "all")}</code>{" "}
-          away.
-        </>
-      );
-    case "negative-scalar":
-      return (
-        <>
-          The scalar is negative: −{symbol} is the same rotation and names the shorter turn, which
-          is the one given below.
-        </>
-      );
-    case "no-turn":
-      return (
-        <>
-          This is no turn at all. Apart from the order of the numbers, it tells no convention from
-          another.
-        </>
-      );
-    case "half-turn":
-      return (
-        <>
-          Half a turn: the axis and its opposite are equally right, and the matrix is its own
-          transpose. Apart from the order of the numbers, it tells no convention from another.
-        </>
-      );
-    case "out-of-range":
-      return outOfRange[fact.what];
-  }
+/** The note about the turn, in place of what is said where there is none. */
+export function NoteOfTurn({
+  notes,
+  store,
+  children,
+}: {
+  notes: readonly Note[];
+  store: Store;
+  children: ComponentChildren;
+}) {
+  const note = notes.find(({ fact }) => ofTheTurn.includes(fact.kind));
+  if (note === undefined) return <>{children}</>;
+  const { digits, unit } = store.state.value;
+  return <span class="note-beside">{noteWords(note, digits, unit)}</span>;
 }
 
-const outOfRange = {
-  norm: "The norm is beyond the range of a double.",
-  inverse: "The inverse is beyond the range of a double and is left out.",
-  image: "The turned vector is beyond the range of a double and is left out.",
-  product:
-    "The product of the numbers as typed is beyond the range of a double; the product of the quaternions of norm 1 is shown.",
-} as const;
+/** A button that mends a text; the first of a field has a key as well. */
+export function FixButton({
+  store,
+  field,
+  fix,
+  children,
+}: {
+  store: Store;
+  field: Field;
+  fix: Fix;
+  /** What stands on it after its label. */
+  children?: ComponentChildren;
+}) {
+  const hasKey = keyFix(store, field)?.label === fix.label;
+  return (
+    <>
+      {" "}
+      <button
+        type="button"
+        class="fix"
+        aria-keyshortcuts={hasKey ? fixKey : undefined}
+        onClick={(event) => {
+          const button = event.currentTarget;
+          apply(store, fix);
+          // A finger would be given a keyboard that it did not ask for.
+          if ((event as unknown as PointerEvent).pointerType !== "touch") {
+            requestAnimationFrame(() => focusFieldAfter(button, field));
+          }
+        }}
+      >
+        <span class="fix-label">{fix.label}</span>
+        {children}
+        {hasKey && (
+          <span class="fix-key" aria-hidden="true">
+            {fixKey}
+          </span>
+        )}
+      </button>
+    </>
+  );
+}
+
+/** Where the button is gone with what it mended, the focus goes to the text. */
+function focusFieldAfter(button: HTMLButtonElement, field: Field) {
+  if (button.isConnected) return;
+  document.querySelector<HTMLElement>(`[data-field="${field}"] textarea`)?.focus();
+}

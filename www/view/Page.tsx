@@ -1,7 +1,11 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
+
 import { type Digits, toFragment, type Unit, type View } from "../address.ts";
 import { shown, shownAngle, shownAxis } from "../format.ts";
+
+import { saidOf } from "../said.ts";
+
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
 import { Identify, spokenIdentity } from "./Identify.tsx";
@@ -62,7 +66,7 @@ export function Page({ store }: { store: Store }) {
         </p>
       </footer>
       <p class="visually-hidden" role="status" aria-live="polite">
-        {spoken(store)}
+        {[saidOf(state), spoken(store)].join(" ").trim()}
       </p>
       <Overlay store={store} />
     </>

@@ -1,5 +1,6 @@
 // The Read view: one attitude, both conventions side by side.
-import { type Digits, toFragment, type Unit } from "../address.ts";
+import { toFragment } from "../address.ts";
+
 import type { ReadReport } from "../engine.ts";
 import { type FeaturedName, featured, stateOf } from "../examples.ts";
 import { shown, shownArray } from "../format.ts";
@@ -17,7 +18,6 @@ import { Relation } from "./Relation.tsx";
 import { presetLike } from "./words.ts";
 
 export function Read({ store }: { store: Store }) {
-  const { digits, unit } = store.state.value;
   const shownResult = store.read.value;
   return (
     <>
@@ -32,7 +32,7 @@ export function Read({ store }: { store: Store }) {
             freshness={shownResult?.freshness}
             examples={<Examples store={store} />}
           >
-            {shownResult && <ReadAs report={shownResult.report} digits={digits} unit={unit} />}
+            {shownResult && <ReadAs report={shownResult.report} store={store} />}
           </AskRest>
         </section>
         <Picture store={store} of="read" />
@@ -67,7 +67,8 @@ function Examples({ store }: { store: Store }) {
   );
 }
 
-function ReadAs({ report, digits, unit }: { report: ReadReport; digits: Digits; unit: Unit }) {
+function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits, unit } = store.state.value;
   return (
     <div class="read-as">
       <p>
@@ -81,7 +82,7 @@ function ReadAs({ report, digits, unit }: { report: ReadReport; digits: Digits; 
           <var>x</var> = <code>{shownArray(report.vector, digits)}</code>
         </span>
       </p>
-      <Notes notes={report.notes} digits={digits} unit={unit} />
+      <Notes notes={report.notes} store={store} />
     </div>
   );
 }

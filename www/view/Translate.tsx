@@ -174,7 +174,7 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
-      <Notes notes={report.notes} digits={digits} unit={unit} />
+      <Notes notes={report.notes} store={store} />
     </div>
   );
 }

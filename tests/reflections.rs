@@ -1,0 +1,135 @@
+//! What is said and offered for nine numbers that are no rotation.
+
+mod common;
+
+use common::{problems, read, read_request, wasm_bindgen_test};
+use quatlas::{Convention, Outcome, Problem, ProblemCode, ReadRequest, Remedy, Request, analyze};
+
+#[track_caller]
+fn problem(text: &str) -> Problem {
+    let [problem] = problems(analyze(&read_request(text, "1 0 0", Convention::JPL)))
+        .try_into()
+        .expect("one problem");
+    problem
+}
+
+fn offered(text: &str) -> String {
+    let suggestion = problem(text).suggestion.expect("a suggestion");
+    suggestion.text
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_flipped_axis_is_named_and_turned_round() {
+    // A turn about each axis with that axis flipped, and the turn itself; 3-4-5 triangles.
+    let cases = [
+        (
+            "x",
+            "-1 0 0  0 0.6 -0.8  0 0.8 0.6",
+            "1 0 0\n0 0.6 -0.8\n0 0.8 0.6",
+        ),
+        (
+            "y",
+            "0.6 0 0.8  0 -1 0  -0.8 0 0.6",
+            "0.6 0 0.8\n0 1 0\n-0.8 0 0.6",
+        ),
+        (
+            "z",
+            "0.6 -0.8 0  0.8 0.6 0  0 0 -1",
+            "0.6 -0.8 0\n0.8 0.6 0\n0 0 1",
+        ),
+    ];
+    for (axis, mirrored, turn) in cases {
+        let found = problem(mirrored);
+        assert_eq!(found.code, ProblemCode::Reflection);
+        assert!(
+            found
+                .message
+                .ends_with(&format!(": the {axis} axis is flipped")),
+            "{}",
+            found.message
+        );
+        assert_eq!(offered(mirrored), turn);
+        assert_eq!(read(turn, "1 0 0", Convention::JPL).notes, []);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_flip_that_the_matrix_does_not_tell_is_the_one_of_the_smallest_turn() {
+    // Yaw 30°, pitch 20°, roll 10°, each column flipped in turn: what is offered is the turn itself.
+    let columns = [
+        [
+            0.813_797_681_349_373_7,
+            0.469_846_310_392_954_2,
+            -0.342_020_143_325_668_7,
+        ],
+        [
+            -0.440_969_610_529_882_4,
+            0.882_564_119_259_385_6,
+            0.163_175_911_166_534_82,
+        ],
+        [
+            0.378_522_306_369_792_5,
+            0.018_028_311_236_297_29,
+            0.925_416_578_398_323_4,
+        ],
+    ];
+    let text = |signs: [f64; 3]| {
+        let row = |row: usize| {
+            let entries = [0, 1, 2].map(|at| (signs[at] * columns[at][row]).to_string());
+            entries.join(" ")
+        };
+        [0, 1, 2].map(row).join("\n")
+    };
+    let axes = ["x", "y", "z"];
+    for flipped in 0..3 {
+        let signs = [0, 1, 2].map(|at| if at == flipped { -1.0 } else { 1.0 });
+        let found = problem(&text(signs));
+        assert!(found.message.ends_with(&format!(
+            "turning {} back leaves the smallest turn",
+            axes[flipped]
+        )));
+        assert_eq!(offered(&text(signs)), text([1.0; 3]));
+    }
+    let found = problem(&text([-1.0; 3]));
+    assert!(found.message.ends_with("all three axes are flipped"));
+    assert_eq!(offered(&text([-1.0; 3])), text([1.0; 3]));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn the_nearest_rotation_is_offered_with_its_distance_and_read_as_declared() {
+    // Half again as long in z, beyond any rounding; the nearest rotation is the quarter turn.
+    let text = "0 -1 0  1 0 0  0 0 1.5";
+    let found = problem(text);
+    assert_eq!(found.code, ProblemCode::NotARotation);
+    assert!(
+        found.message.contains("0.5 away from the nearest rotation"),
+        "{}",
+        found.message
+    );
+    let suggestion = found.suggestion.expect("a suggestion");
+    assert_eq!(suggestion.remedy, Remedy::NearestRotation);
+    assert_eq!(suggestion.text, "0 -1 0\n1 0 0\n0 0 1");
+
+    // Declared world to body it is the same nine numbers, not their transpose.
+    let mut request = ReadRequest::new(text, "1 0 0", Convention::JPL);
+    request.matrix = quatlas::MatrixConvention::WORLD_TO_BODY;
+    let [found] = problems(analyze(&Request::Read(request.clone())))
+        .try_into()
+        .expect("one problem");
+    let Problem { suggestion, .. } = found;
+    request.quaternion = suggestion.expect("a suggestion").text;
+    assert_eq!(request.quaternion, "0 -1 0\n1 0 0\n0 0 1");
+    let Outcome::Read(report) = analyze(&Request::Read(request)) else {
+        panic!("a report")
+    };
+    assert_eq!(report.jpl.matrix[0], [0.0, -1.0, 0.0]);
+    assert_eq!(report.notes, []);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn far_from_every_rotation_nothing_is_offered() {
+    // Of 1 to 9 the nearest rotation is 15.9 away, and of a mirror image that is no turn there is none.
+    for text in ["1 2 3 4 5 6 7 8 9", "1 2 3 4 5 6 7 8 10"] {
+        assert_eq!(problem(text).suggestion, None, "{text}");
+    }
+}

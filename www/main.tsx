@@ -1,8 +1,8 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import { render } from "preact";
-import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
-import { createStore, type Store } from "./state.ts";
+import { keepAddress, restoreAddress } from "./keep_address.ts";
+import { createStore } from "./state.ts";
 import "./style.css";
 import "./view/identify.css";
 import "./view/identify_answer.css";
@@ -14,12 +14,14 @@ import { Page } from "./view/Page.tsx";
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
+restoreAddress();
 loadEngine().then(
   (engine) => {
     const store = createStore(engine, location.hash);
     root.replaceChildren();
     render(<Page store={store} />, root);
     keepAddress(store);
+    if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
     root
@@ -30,24 +32,17 @@ loadEngine().then(
   },
 );
 
-/** Browsers refuse more than about a hundred changes of the address in half a minute. */
-const addressDelayMs = 300;
+/** Without a network on the first visit, the next one tries again. */
+const loadOffline = () =>
+  import("./offline.tsx").then(
+    ({ keepOffline }) => keepOffline(),
+    () => undefined,
+  );
 
-function keepAddress(store: Store) {
-  let pending: ReturnType<typeof setTimeout> | undefined;
-  const write = () => {
-    clearTimeout(pending);
-    history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
-  };
-  store.state.subscribe(() => {
-    clearTimeout(pending);
-    pending = setTimeout(write, addressDelayMs);
-  });
-  addEventListener("pagehide", write);
-  // A link leaves a history entry behind: it must hold what was typed just before.
-  addEventListener("click", write, { capture: true });
-  addEventListener("hashchange", () => {
-    clearTimeout(pending);
-    store.open(location.hash);
-  });
+/** Once the page has loaded and has nothing else to do. */
+function whenIdle(run: () => void) {
+  if (document.readyState !== "complete") addEventListener("load", () => whenIdle(run));
+  // Safari has no idle callback.
+  else if ("requestIdleCallback" in window) requestIdleCallback(run);
+  else setTimeout(run, 1000);
 }

@@ -1,0 +1,6 @@
+// The words of the page that is kept for use without a network.
+export const newVersion = {
+  ready: "A new version is ready.",
+  reload: "Reload",
+  later: "Later",
+};

@@ -1,6 +1,6 @@
 // Keeps the page for use without a network, and says when a new version is ready. Nothing is
 // reloaded unasked.
-import { render } from "preact";
+import { type ComponentChildren, render } from "preact";
 import "./view/offline.css";
 import { newVersion } from "./words/offline.ts";
 
@@ -29,25 +29,31 @@ function sayReady(registration: ServiceWorkerRegistration) {
   line.id = lineId;
   line.role = "status";
   document.body.append(line);
+  const say = (rest: ComponentChildren) =>
+    render(
+      <p class="new-version">
+        {newVersion.ready} {rest}
+      </p>,
+      line,
+    );
   const reload = () => {
     // Another tab may have let the new version take over already.
     if (!registration.waiting) return location.reload();
+    say(newVersion.reloading);
     navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
     registration.waiting.postMessage("take over");
   };
   // What a status holds is read aloud when it changes, not when it appears.
   requestAnimationFrame(() =>
-    render(
-      <p class="new-version">
-        {newVersion.ready}{" "}
+    say(
+      <>
         <button type="button" onClick={reload}>
           {newVersion.reload}
-        </button>{" "}
+        </button>
         <button type="button" onClick={() => line.remove()}>
           {newVersion.later}
         </button>
-      </p>,
-      line,
+      </>,
     ),
   );
 }

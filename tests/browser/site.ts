@@ -63,17 +63,20 @@ function read(path: string): Buffer | undefined {
   }
 }
 
-/** A new version: another title, and a first script of another name; the old one is gone. */
+/** A new version: another title, and every script of another name; those of the old names are gone. */
 function publish(folder: string, title: string) {
   const assets = join(folder, "assets");
-  const page = readFileSync(join(folder, "index.html"), "utf8");
-  const [, script = ""] = page.match(/assets\/(index-[\w-]+\.js)/) ?? [];
-  const renamed = `index-${title.replaceAll(" ", "-")}.js`;
-  renameSync(join(assets, script), join(assets, renamed));
-  const texts = readdirSync(assets).filter((name) => name.endsWith(".js"));
-  for (const path of [...texts.map((name) => join(assets, name)), join(folder, "index.html")]) {
-    const text = readFileSync(path, "utf8").replaceAll(script, renamed);
+  const scripts = readdirSync(assets).filter((name) => name.endsWith(".js"));
+  const renamed = (name: string) => name.replace(/\.js$/, "2.js");
+  const rewrite = (path: string) => {
+    let text = readFileSync(path, "utf8");
+    for (const script of scripts) text = text.replaceAll(script, renamed(script));
     writeFileSync(path, text.replace(/<title>.*<\/title>/, `<title>${title}</title>`));
+  };
+  rewrite(join(folder, "index.html"));
+  for (const script of scripts) {
+    rewrite(join(assets, script));
+    renameSync(join(assets, script), join(assets, renamed(script)));
   }
   writeServiceWorker(folder);
 }

@@ -2,5 +2,6 @@
 export const newVersion = {
   ready: "A new version is ready.",
   reload: "Reload",
+  reloading: "Reloading …",
   later: "Later",
 };

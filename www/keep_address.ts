@@ -21,9 +21,10 @@ export function keepAddress(store: Store) {
   });
   // A link leaves a history entry behind: it must hold what was typed just before.
   addEventListener("click", write, { capture: true });
-  addEventListener("hashchange", () => {
+  addEventListener("hashchange", ({ newURL }) => {
     clearTimeout(pending);
-    store.open(location.hash);
+    // The address itself may have been written again between the change and this event.
+    store.open(new URL(newURL).hash);
   });
 }
 

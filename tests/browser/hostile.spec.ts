@@ -79,7 +79,7 @@ for (let part = 0; part < parts; part += 1) {
     expect(await page.locator("script").count()).toBe(scripts);
     expect(await violationsOf(page)).toEqual([]);
     await open(page, "read?quaternion=1+1+1+1");
-    expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
+    await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
   });
 }
 
@@ -119,6 +119,24 @@ test("a hostile text that is typed does no harm, and the address holds it", asyn
   const last = typed.at(-1) ?? "";
   await page.reload();
   await expect(quaternionField(page)).toHaveValue(last);
+});
+
+test("a change of the address is followed while what was typed waits to be written", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  await page.evaluate(async () => {
+    const field = document.querySelector("textarea");
+    if (field === null) throw new Error("no field");
+    field.value = "1 2 3 4";
+    field.dispatchEvent(new Event("input", { bubbles: true }));
+    location.hash = "compose";
+    // As long as the page waits, and more: the event comes only afterwards.
+    const end = performance.now() + 400;
+    while (performance.now() < end);
+  });
+  await expect(page.getByRole("textbox", { name: "quaternion p" })).toBeVisible();
 });
 
 test("what is typed just before a reload, or before leaving, is there again", async ({ page }) => {

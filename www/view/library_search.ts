@@ -11,18 +11,26 @@ function distance(library: Library, asked: string, about: string): number | unde
   const field = [groupNames[library.group], library.group, languageNames[library.language], about]
     .join(" ")
     .toLowerCase();
-  const distances = wordsOf(asked)
-    .filter((word) => word !== "")
-    .map((word) => {
-      if (name.startsWith(word) || library.id.startsWith(word)) return 0;
-      if (wordsOf(name).some((part) => part.startsWith(word))) return 1;
-      if (name.includes(word)) return 2;
-      if (others.includes(word)) return 3;
-      // `xyzw` is found as the letters x y z w.
-      return field.includes(word) || field.replaceAll(" ", "").includes(word) ? 4 : undefined;
-    });
-  if (distances.includes(undefined)) return undefined;
-  return Math.max(0, ...distances.filter((one) => one !== undefined));
+  let farthest = 0;
+  // Each word once, and no further than the first that does not fit: a text may be of any length.
+  for (const word of new Set(wordsOf(asked))) {
+    const distance = distanceOf(word, { id: library.id, name, others, field });
+    if (distance === undefined) return undefined;
+    farthest = Math.max(farthest, distance);
+  }
+  return farthest;
+}
+
+function distanceOf(
+  word: string,
+  { id, name, others, field }: { id: string; name: string; others: string; field: string },
+): number | undefined {
+  if (name.startsWith(word) || id.startsWith(word)) return 0;
+  if (wordsOf(name).some((part) => part.startsWith(word))) return 1;
+  if (name.includes(word)) return 2;
+  if (others.includes(word)) return 3;
+  // `xyzw` is found as the letters x y z w.
+  return field.includes(word) || field.replaceAll(" ", "").includes(word) ? 4 : undefined;
 }
 
 /** The records that fit every word of a text, the best first; all in their order for none. */

@@ -5,15 +5,14 @@ import { groupNames, languageNames } from "./library_words.ts";
 const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
 
 /** How well a record fits a text: the smaller the better, undefined where it does not. */
-function distance(library: Library, asked: string, about: string): number | undefined {
+function distance(library: Library, asked: ReadonlySet<string>, about: string): number | undefined {
   const name = library.name.toLowerCase();
   const others = [library.id, ...(library.words ?? [])].join(" ").toLowerCase();
   const field = [groupNames[library.group], library.group, languageNames[library.language], about]
     .join(" ")
     .toLowerCase();
   let farthest = 0;
-  // Each word once, and no further than the first that does not fit: a text may be of any length.
-  for (const word of new Set(wordsOf(asked))) {
+  for (const word of asked) {
     const distance = distanceOf(word, { id: library.id, name, others, field });
     if (distance === undefined) return undefined;
     farthest = Math.max(farthest, distance);
@@ -39,8 +38,10 @@ export function found(
   asked: string,
   about: (library: Library) => string,
 ): Library[] {
+  // Each word once: a text may be of any length.
+  const words = new Set(wordsOf(asked));
   return libraries
-    .map((library) => ({ library, distance: distance(library, asked, about(library)) }))
+    .map((library) => ({ library, distance: distance(library, words, about(library)) }))
     .filter(({ distance }) => distance !== undefined)
     .sort((one, other) => (one.distance ?? 0) - (other.distance ?? 0))
     .map(({ library }) => library);

@@ -1,10 +1,10 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import { render } from "preact";
-import { toFragment } from "./address.ts";
 import { loadEngine } from "./engine.ts";
+import { keepAddress, restoreAddress } from "./keep_address.ts";
 import { showTheme } from "./settings.ts";
 import { startShortcuts } from "./shortcuts.ts";
-import { createStore, type Store } from "./state.ts";
+import { createStore } from "./state.ts";
 import "./style.css";
 import "./view/edit.css";
 import "./view/comfort.css";
@@ -23,6 +23,7 @@ import { undoByKey } from "./view/undo_keys.ts";
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
+restoreAddress();
 loadEngine().then(
   (engine) => {
     const store = createStore(engine, location.hash);
@@ -33,6 +34,7 @@ loadEngine().then(
     undoByKey(store);
     showTheme();
     startShortcuts(store);
+    if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
     root
@@ -43,29 +45,17 @@ loadEngine().then(
   },
 );
 
-/** Browsers refuse more than about a hundred changes of the address in half a minute. */
-const addressDelayMs = 300;
+/** Without a network on the first visit, the next one tries again. */
+const loadOffline = () =>
+  import("./offline.tsx").then(
+    ({ keepOffline }) => keepOffline(),
+    () => undefined,
+  );
 
-function keepAddress(store: Store) {
-  let pending: ReturnType<typeof setTimeout> | undefined;
-  let opened = store.state.peek();
-  const write = () => {
-    clearTimeout(pending);
-    // What a newer quatlas wrote stays whole until something is changed.
-    if (store.isLinkNewer.peek() && store.state.peek() === opened) return;
-    history.replaceState(null, "", `#${toFragment(store.state.peek())}`);
-  };
-  store.state.subscribe(() => {
-    clearTimeout(pending);
-    pending = setTimeout(write, addressDelayMs);
-  });
-  addEventListener("pagehide", write);
-  // A link leaves a history entry behind: it must hold what was typed just before.
-  addEventListener("click", write, { capture: true });
-  // The address may have been written again since it changed.
-  addEventListener("hashchange", ({ newURL }) => {
-    clearTimeout(pending);
-    store.open(new URL(newURL).hash);
-    opened = store.state.peek();
-  });
+/** Once the page has loaded and has nothing else to do. */
+function whenIdle(run: () => void) {
+  if (document.readyState !== "complete") addEventListener("load", () => whenIdle(run));
+  // Safari has no idle callback.
+  else if ("requestIdleCallback" in window) requestIdleCallback(run);
+  else setTimeout(run, 1000);
 }

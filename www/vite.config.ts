@@ -1,9 +1,11 @@
-import { defineConfig } from "vite";
+import { defineConfig, type Plugin } from "vite";
+import { precache } from "./tasks/precache.ts";
 
 export default defineConfig({
   root: import.meta.dirname,
   // Relative, so that the page can be served from any folder.
   base: "./",
+  plugins: [withoutPolicy(), precache()],
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,
@@ -13,3 +15,13 @@ export default defineConfig({
   },
   preview: { port: 4173 },
 });
+
+/** The development server puts styles into the page, which the policy of the page forbids. */
+function withoutPolicy(): Plugin {
+  return {
+    name: "quatlas:without-policy",
+    apply: "serve",
+    transformIndexHtml: (html) =>
+      html.replace(/<meta\s+http-equiv="Content-Security-Policy"[^>]*>/, ""),
+  };
+}

@@ -13,6 +13,8 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${port}/`,
     browserName: "chromium",
+    // Every test but those of offline.spec.ts is answered by the server.
+    serviceWorkers: "block",
     launchOptions: {
       ...(executablePath ? { executablePath } : {}),
       // A browser that looks nothing up by itself, so that every request is the page's own.

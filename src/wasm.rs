@@ -1,4 +1,4 @@
-//! The edge: the only file that knows JavaScript exists.
+//! The edge: only this file and the requests of `wasm_request` know JavaScript exists.
 //!
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
@@ -7,19 +7,19 @@ use crate::analyze::{compose, read};
 use crate::convention::Convention;
 use crate::problem::{Field, Problem};
 use crate::report::Problems;
-use crate::request::{ComposeRequest, ReadRequest};
-#[cfg(feature = "libraries")]
-use crate::{
-    identify::identify,
-    library::TABLE,
-    request::{IdentifyRequest, TranslateRequest},
-    translate::translate,
-};
+use crate::wasm_request::{compose_request, read_request};
 use js_sys::{Reflect, TypeError};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
+#[cfg(feature = "libraries")]
+use {
+    crate::identify::identify,
+    crate::library::TABLE,
+    crate::request::{IdentifyRequest, TranslateRequest},
+    crate::translate::translate,
+    serde::de::DeserializeOwned,
+};
 
 /// The tags of a request and of an outcome.
 const VIEW: &str = "view";
@@ -44,43 +44,37 @@ pub fn analyze(
 ) -> Result<JsValue, TypeError> {
     let view = Reflect::get(&request, &VIEW.into()).ok();
     let view = view.and_then(|view| view.as_string());
-    answer_of(view.as_deref().unwrap_or_default(), request)
+    answer_of(view.as_deref().unwrap_or_default(), &request)
 }
 
 /// By its tag here, and not by serde through the types of a request and an outcome, which would copy
 /// everything first, and would hold every view where a build answers two.
-fn answer_of(view: &str, request: JsValue) -> Result<JsValue, TypeError> {
+fn answer_of(view: &str, request: &JsValue) -> Result<JsValue, TypeError> {
     match view {
-        "read" => answer(
-            view,
-            request,
-            read,
-            |request: &ReadRequest, field| match field {
+        "read" => {
+            let request = read_request(request)?;
+            answer(view, read(&request), |field| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
-            },
-        ),
-        "compose" => answer(
-            view,
-            request,
-            compose,
-            |request: &ComposeRequest, field| match field {
+            })
+        }
+        "compose" => {
+            let request = compose_request(request)?;
+            answer(view, compose(&request), |field| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
-            },
-        ),
+            })
+        }
         #[cfg(feature = "libraries")]
-        "translate" => answer(
-            view,
-            request,
-            translate,
-            |request: &TranslateRequest, field| match field {
+        "translate" => {
+            let request: TranslateRequest = typed(request)?;
+            answer(view, translate(&request), |field| match field {
                 Field::WorldAxes => &request.world_axes,
                 Field::BodyAxes => &request.body_axes,
                 _ => &request.quaternion,
-            },
-        ),
+            })
+        }
         #[cfg(feature = "libraries")]
         "identify" => {
             let request: IdentifyRequest = typed(request)?;
@@ -97,24 +91,23 @@ fn answer_of(view: &str, request: JsValue) -> Result<JsValue, TypeError> {
 }
 
 /// A report, or problems that count the units of the texts they point into.
-fn answer<Request: DeserializeOwned, Report: Serialize>(
+fn answer<'request>(
     view: &str,
-    request: JsValue,
-    answer: fn(&Request) -> Result<Report, Vec<Problem>>,
-    text_of: fn(&Request, Field) -> &String,
+    answered: Result<impl Serialize, Vec<Problem>>,
+    text_of: impl Fn(Field) -> &'request String,
 ) -> Result<JsValue, TypeError> {
-    let request = typed(request)?;
-    match answer(&request) {
+    match answered {
         Ok(report) => with_status(view, &report),
         Err(problems) => {
-            let problems = Problems { problems }.in_utf16(|field| text_of(&request, field).clone());
+            let problems = Problems { problems }.in_utf16(|field| text_of(field).clone());
             with_status("problems", &problems)
         }
     }
 }
 
-fn typed<Kind: DeserializeOwned>(request: JsValue) -> Result<Kind, TypeError> {
-    serde_wasm_bindgen::from_value(request)
+#[cfg(feature = "libraries")]
+fn typed<Kind: DeserializeOwned>(request: &JsValue) -> Result<Kind, TypeError> {
+    serde_wasm_bindgen::from_value(request.clone())
         .map_err(|error| TypeError::new(&format!("this is not a request: {error}")))
 }
 
@@ -124,6 +117,11 @@ fn with_status(status: &str, report: &impl Serialize) -> Result<JsValue, TypeErr
     Reflect::set(&outcome, &STATUS.into(), &status.into())
         .map_err(|_| TypeError::new("a report is an object"))?;
     Ok(outcome)
+}
+
+/// The double nearest to a decimal number: digits, a point, an exponent.
+pub(crate) fn nearest_double(decimal: &str) -> f64 {
+    js_sys::parse_float(decimal)
 }
 
 /// The named conventions, Hamilton and JPL.

@@ -1,20 +1,23 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import { render } from "preact";
-import { toFragment } from "./address.ts";
-import { loadEngine } from "./engine.ts";
+import { fromFragment, toFragment } from "./address.ts";
+import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
+import { isLazy } from "./lazy_views.ts";
 import { createStore, type Store } from "./state.ts";
 import "./style.css";
-import "./view/identify.css";
-import "./view/identify_answer.css";
-import "./view/libraries.css";
-import "./view/picker.css";
-import "./view/translate.css";
+import "./view/loading.css";
+import "./view/quiet.css";
 import { Page } from "./view/Page.tsx";
+import { coreNotLoaded } from "./words/loading.tsx";
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
-loadEngine().then(
+// A view that needs the whole core begins with it.
+const { view } = fromFragment(location.hash);
+const engine = isLazy(view) ? loadWholeEngine() : loadSmallEngine();
+
+engine.then(
   (engine) => {
     const store = createStore(engine, location.hash);
     root.replaceChildren();
@@ -22,11 +25,7 @@ loadEngine().then(
     keepAddress(store);
   },
   (error: unknown) => {
-    root
-      .querySelector("[data-loading]")
-      ?.replaceChildren(
-        `The core could not be loaded (${error}). Reload the page; a strict content policy must allow 'wasm-unsafe-eval'.`,
-      );
+    root.querySelector("[data-loading]")?.replaceChildren(coreNotLoaded(String(error)));
   },
 );
 

@@ -1,6 +1,6 @@
 // The one mutable value of the page, and what follows from it.
-import { computed, signal } from "@preact/signals";
-import { fromFragment, opening, type PageState } from "./address.ts";
+import { batch, computed, signal } from "@preact/signals";
+import { fromFragment, opening, type PageState, withKnownLibraries } from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
 
 /** How a result relates to the texts above it: theirs, that of earlier texts, or the opening one. */
@@ -13,12 +13,13 @@ export interface Shown<Report> {
 
 export type Store = ReturnType<typeof createStore>;
 
-export function createStore(engine: Engine, fragment: string) {
-  const known = new Set(engine.libraries.map(({ id }) => id));
-  const stateOf = (fragment: string) => fromFragment(fragment, (id) => known.has(id));
+export function createStore(first: Engine, fragment: string) {
+  const engine = signal(first);
+  const isLibrary = computed(() => knownBy(engine.value));
+  const stateOf = (fragment: string) => fromFragment(fragment, isLibrary.peek());
   const state = signal<PageState>(stateOf(fragment));
 
-  const outcome = computed(() => answer(state.value, engine));
+  const outcome = computed(() => answer(state.value, engine.value));
 
   const problems = computed<Problem[]>(() =>
     outcome.value?.status === "problems" ? outcome.value.problems : [],
@@ -33,13 +34,23 @@ export function createStore(engine: Engine, fragment: string) {
   const lastOf = <Status extends Good["status"]>(status: Status) =>
     lastGood(
       () => outcome.value,
-      () => answer({ ...opening, view: status }, engine),
+      () => answer({ ...opening, view: status }, engine.value),
       (outcome): outcome is Good & { status: Status } => outcome?.status === status,
     );
 
   return {
     state,
-    engine,
+    get engine() {
+      return engine.value;
+    },
+    /** Answers with another core from now on. */
+    useEngine: (other: Engine) => {
+      if (other === engine.peek()) return;
+      batch(() => {
+        engine.value = other;
+        state.value = withKnownLibraries(state.peek(), isLibrary.peek());
+      });
+    },
     read: lastOf("read"),
     compose: lastOf("compose"),
     translate: lastOf("translate"),
@@ -56,12 +67,19 @@ export function createStore(engine: Engine, fragment: string) {
   };
 }
 
+/** Which ids are those of libraries; without the table any may be. */
+function knownBy({ libraries }: Engine): (id: string) => boolean {
+  if (libraries.length === 0) return () => true;
+  const known = new Set(libraries.map(({ id }) => id));
+  return (id) => known.has(id);
+}
+
 type Answer = ReturnType<Engine["analyze"]> | undefined;
 
-/** What the core answers to a state; nothing where its view asks nothing. */
+/** What the core answers to a state; nothing where its view asks nothing, or more than this core knows. */
 function answer(state: PageState, engine: Engine): Answer {
   const request = requestOf(state, engine);
-  return request && engine.analyze(request);
+  return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
 }
 
 function requestOf(state: PageState, engine: Engine): Request | undefined {

@@ -157,12 +157,13 @@ export async function buildCore() {
   say(
     "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
   );
-  await buildWasm("pkg");
-  await buildWasm(join("pkg", "small"), "--", "--no-default-features");
+  await buildWasm("pkg", "--out-name", "quatlas");
+  const small = join("pkg", "small");
+  await buildWasm(small, "--out-name", "quatlas_small", "--", "--no-default-features");
   writeFileSync(stamp, fingerprint);
 }
 
-function buildWasm(folder, ...features) {
+function buildWasm(folder, ...options) {
   return runQuietly(
     { task: "build the core", advice: "mend what the compiler names, or check the network" },
     "wasm-pack",
@@ -173,6 +174,6 @@ function buildWasm(folder, ...features) {
     "--out-dir",
     folder,
     "--no-pack",
-    ...features,
+    ...options,
   );
 }

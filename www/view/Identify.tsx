@@ -11,6 +11,11 @@ import { Sheet } from "./IdentifySheet.tsx";
 import { keptAnswer } from "./identify_answer.ts";
 import { choiceWords, codeLanguages, listed, settledFamily } from "./identify_words.ts";
 import { familyWords, languageNames } from "./library_words.ts";
+import "./picker.css";
+import "./translate.css";
+import "./libraries.css";
+import "./identify.css";
+import "./identify_answer.css";
 
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);

@@ -18,6 +18,9 @@ import {
   productWords,
 } from "./library_words.ts";
 import { lettersOf } from "./words.ts";
+import "./picker.css";
+import "./translate.css";
+import "./libraries.css";
 
 const columns = [
   "Library",

@@ -15,6 +15,8 @@ import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { changeWords, Why } from "./TranslationWhy.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
 import { arrowOf, nameOf as conventionName, lettersOf } from "./words.ts";
+import "./picker.css";
+import "./translate.css";
 
 export function Translate({ store }: { store: Store }) {
   const { digits } = store.state.value;

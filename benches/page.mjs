@@ -1,17 +1,18 @@
-// How quick the built page is in a real browser: median and range of 30 runs.
+// How quick the built page is in a real browser: medians of 30 runs, and the bytes of every part.
 // `npm test` or `npm start` builds it first; then `node benches/page.mjs`.
 
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { gzipSync } from "node:zlib";
 import { chromium } from "@playwright/test";
 import { preview } from "vite";
+import { gzipTotal, partsOfPage } from "../www/tasks/page_parts.mjs";
 import { setUpBrowser } from "../www/tasks/setup.mjs";
 import { root } from "../www/tasks/shell.mjs";
 
 const runs = 30;
-const configFile = join(root, "www", "vite.config.ts");
-const server = await preview({ configFile, logLevel: "warn", preview: { port: 4191 } });
+const server = await preview({
+  configFile: `${root}/www/vite.config.ts`,
+  logLevel: "warn",
+  preview: { port: 4191 },
+});
 const [address] = server.resolvedUrls.local;
 const executablePath = await setUpBrowser();
 const browser = await chromium.launch({
@@ -19,84 +20,113 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--disable-background-networking"],
 });
 
-/** Milliseconds from the start of the navigation to the first matrix on the page. */
-async function firstResult() {
+/** Each view with what is typed into: a field, and what of the page changes then. */
+const typed = [
+  { view: "read", field: ".ask textarea", text: "0.92 + 0.3k" },
+  { view: "compose", field: ".ask textarea", text: "0.92 + 0.3k" },
+  { view: "translate", field: ".ask textarea", text: "0.1 -0.2 0.4 0.8" },
+  { view: "identify", field: ".observation textarea", text: "-1 0 0 0" },
+];
+
+/** Before the page: notes the first result, and what shifts by itself. */
+function watch() {
+  globalThis.shift = 0;
+  new PerformanceObserver((list) => {
+    for (const { value, hadRecentInput } of list.getEntries()) {
+      if (!hadRecentInput) globalThis.shift += value;
+    }
+  }).observe({ type: "layout-shift", buffered: true });
+  new MutationObserver((_, observer) => {
+    if (document.querySelector("td") === null) return;
+    globalThis.firstResultMs = performance.now();
+    observer.disconnect();
+  }).observe(document, { childList: true, subtree: true });
+}
+
+async function open(view) {
   const context = await browser.newContext();
   const page = await context.newPage();
-  await page.addInitScript(() => {
-    new MutationObserver((_, observer) => {
-      if (document.querySelector("td") === null) return;
-      globalThis.firstResultMs = performance.now();
-      observer.disconnect();
-    }).observe(document, { childList: true, subtree: true });
-  });
-  await page.goto(address);
-  await page.waitForSelector("td");
-  const elapsed = await page.evaluate(() => globalThis.firstResultMs);
-  await context.close();
-  return elapsed;
+  await page.addInitScript(watch);
+  await page.goto(`${address}#${view}`, { waitUntil: "networkidle" });
+  await page.waitForSelector(".result td");
+  return page;
 }
 
-/** Milliseconds from the key event to the changed matrix in the document. */
-async function keystrokes() {
-  const page = await browser.newPage();
-  await page.goto(address);
-  const field = page.getByRole("textbox", { name: "quaternion q" });
-  await field.fill("0.92 + 0.3");
-  await field.press("End");
-  await page.evaluate(() => {
-    globalThis.elapsed = [];
-    addEventListener("keydown", (event) => {
-      globalThis.pressedAt = event.timeStamp;
-    });
-    new MutationObserver(() => {
-      if (globalThis.pressedAt === undefined) return;
-      globalThis.elapsed.push(performance.now() - globalThis.pressedAt);
-      globalThis.pressedAt = undefined;
-    }).observe(document.querySelector(".result"), {
-      characterData: true,
-      childList: true,
-      subtree: true,
-    });
-  });
-  await field.pressSequentially("k");
-  await page.keyboard.press("ArrowLeft");
+/** Milliseconds from the start of the navigation: to the first matrix, to the first paint with content. */
+async function start() {
+  const page = await open("read");
+  const times = await page.evaluate(() => ({
+    result: globalThis.firstResultMs,
+    paint: performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
+  }));
+  await page.context().close();
+  return times;
+}
+
+/**
+ * Milliseconds of every key, from its input event: until the document is changed, which is all script,
+ * and until the second frame, when the numbers are on the screen.
+ */
+async function keystrokes({ view, field, text }) {
+  const page = await open(view);
+  const place = page.locator(field).first();
+  // By keys: what a script fills in counts as a shift by itself.
+  await place.press("ControlOrMeta+a");
+  await place.pressSequentially(text);
+  await page.evaluate(watchKeys);
   for (let run = 0; run < runs; run += 2) {
-    await page.keyboard.press("8");
-    await page.keyboard.press("Backspace");
+    for (const key of ["5", "Backspace"]) {
+      await place.press(key);
+      await page.waitForFunction(() => globalThis.keys.at(-1)?.painted !== undefined);
+    }
   }
-  const elapsed = await page.evaluate(() => globalThis.elapsed);
-  await page.close();
-  return elapsed.slice(-runs);
+  const measured = await page.evaluate(() => ({ keys: globalThis.keys, shift: globalThis.shift }));
+  await page.context().close();
+  return measured;
 }
 
-function report(name, milliseconds) {
-  const sorted = milliseconds.toSorted((a, b) => a - b);
-  const at = (part) => sorted[Math.floor(part * (sorted.length - 1))].toFixed(1);
-  console.log(`${name}: median ${at(0.5)} ms, ${at(0)} to ${at(1)} (${sorted.length} runs)`);
+function watchKeys() {
+  globalThis.keys = [];
+  const key = {};
+  // The window hears the event first, then the field, whose microtasks render, then the window again.
+  addEventListener("input", () => Object.assign(key, { began: performance.now() }), true);
+  addEventListener("input", () => {
+    const { began } = key;
+    const measured = { script: performance.now() - began };
+    globalThis.keys.push(measured);
+    const painted = () => Object.assign(measured, { painted: performance.now() - began });
+    requestAnimationFrame(() => requestAnimationFrame(painted));
+  });
 }
 
-await firstResult();
-const first = [];
-for (let run = 0; run < runs; run += 1) first.push(await firstResult());
-report("navigation to first result", first);
-report("key to changed numbers", await keystrokes());
+/** Median, least and most. */
+function spread(numbers) {
+  const sorted = numbers.toSorted((a, b) => a - b);
+  const at = (part) => Number(sorted[Math.floor(part * (sorted.length - 1))].toFixed(1));
+  return { median: at(0.5), least: at(0), most: at(1), runs: sorted.length };
+}
+
+const times = {};
+await start();
+const starts = [];
+for (let run = 0; run < runs; run += 1) starts.push(await start());
+times["navigation to first result"] = spread(starts.map(({ result }) => result));
+times["navigation to first paint with content"] = spread(starts.map(({ paint }) => paint));
+const shifts = {};
+for (const what of typed) {
+  const { keys, shift } = await keystrokes(what);
+  times[`${what.view}: key to changed document`] = spread(keys.map(({ script }) => script));
+  times[`${what.view}: key to painted`] = spread(keys.map(({ painted }) => painted));
+  shifts[what.view] = { "cumulative layout shift": Number(shift.toFixed(4)) };
+}
 await browser.close();
 await server.close();
 
-const folder = join(root, "dist", "page");
-const names = [
-  "index.html",
-  ...readdirSync(join(folder, "assets")).map((name) => join("assets", name)),
-];
-let total = [0, 0];
-for (const name of names) {
-  const bytes = readFileSync(join(folder, name));
-  const sizes = [
-    bytes.length,
-    /woff2$/.test(name) ? bytes.length : gzipSync(bytes, { level: 9 }).length,
-  ];
-  total = total.map((sum, at) => sum + sizes[at]);
-  console.log(`${name}: ${sizes[0]} bytes, ${sizes[1]} compressed`);
+console.log("milliseconds");
+console.table(times);
+console.log("from loading through typing");
+console.table(shifts);
+for (const [name, parts] of Object.entries(partsOfPage())) {
+  console.log(`${name}: ${gzipTotal(parts)} bytes compressed`);
+  console.table(Object.fromEntries(parts.map(({ name, bytes, gzip }) => [name, { bytes, gzip }])));
 }
-console.log(`all: ${total[0]} bytes, ${total[1]} compressed`);

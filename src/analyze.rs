@@ -5,7 +5,7 @@
 //! problems; nothing is thrown and nothing is printed.
 
 use crate::attitude::{Attitude, Declared, euler, rules, turn};
-use crate::compose::compose;
+use crate::compose::compose as compose_attitudes;
 use crate::convention::Convention;
 use crate::identify::identify;
 use crate::parse::parse_vector;
@@ -40,7 +40,7 @@ pub fn analyze(request: &Request) -> Outcome {
     let answered = match request {
         Request::Read(request) => read(request).map(|report| Outcome::Read(Box::new(report))),
         Request::Compose(request) => {
-            answer_compose(request).map(|report| Outcome::Compose(Box::new(report)))
+            compose(request).map(|report| Outcome::Compose(Box::new(report)))
         }
         Request::Translate(request) => {
             translate(request).map(|report| Outcome::Translate(Box::new(report)))
@@ -50,7 +50,7 @@ pub fn analyze(request: &Request) -> Outcome {
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }
 
-fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
+pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     let declared = Declared {
         convention: request.convention,
         matrix: request.matrix,
@@ -102,7 +102,7 @@ fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     })
 }
 
-fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem>> {
+pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem>> {
     let declared = Declared {
         convention: request.convention,
         matrix: request.matrix,
@@ -114,7 +114,7 @@ fn answer_compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => return Err(problems([p.err(), q.err(), vector.err()])),
     };
-    let composition = compose(&p, &q, vector);
+    let composition = compose_attitudes(&p, &q, vector);
 
     let mut notes = p.notes(Field::P);
     notes.extend(q.notes(Field::Q));

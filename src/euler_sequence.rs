@@ -56,6 +56,19 @@ pub enum EulerFrame {
     Extrinsic,
 }
 
+#[cfg(target_arch = "wasm32")]
+impl EulerFrame {
+    pub(crate) const ALL: [Self; 2] = [Self::Intrinsic, Self::Extrinsic];
+
+    /// The name that JavaScript uses.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Intrinsic => "intrinsic",
+            Self::Extrinsic => "extrinsic",
+        }
+    }
+}
+
 /// The axes of the three turns in their order; the 12 that reach every attitude.
 ///
 /// 27 strings of three letters exist. In the other 15 an axis follows itself, so that they are no
@@ -117,7 +130,7 @@ impl EulerAxes {
     }
 
     /// The letters in upper case.
-    const fn name(self) -> &'static str {
+    pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Xyz => "XYZ",
             Self::Xzy => "XZY",

@@ -299,9 +299,19 @@ fn number<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
     let _ =
         opt((opt('_'), alt(("f64", "f32", "f", "F")), not(name_character))).parse_next(input)?;
     let plain = written.replace("×10", "e").replace('^', "");
-    let value = plain.replace(['−', '–'], "-").parse().unwrap_or(f64::NAN);
+    let value = nearest_double(&plain.replace(['−', '–'], "-"));
     Ok((TokenKind::Number(value), written))
 }
+
+/// The double nearest to a decimal number.
+#[cfg(not(target_arch = "wasm32"))]
+fn nearest_double(decimal: &str) -> f64 {
+    decimal.parse().unwrap_or(f64::NAN)
+}
+
+// The same double from JavaScript, which spares the wasm tables of 10 kB that do not compress.
+#[cfg(target_arch = "wasm32")]
+use crate::wasm::nearest_double;
 
 /// A literal that a double cannot hold is a problem, not an infinity or a zero.
 fn check_literal(value: f64, written: &str, span: Span) -> Result<(), Fault> {

@@ -268,7 +268,11 @@ mod identify;
 /// A request in, an outcome out.
 pub mod analyze;
 
-/// The only file that knows JavaScript.
+// The requests that the page begins with, from JavaScript.
+#[cfg(target_arch = "wasm32")]
+mod wasm_request;
+
+/// The edge to JavaScript.
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
 

@@ -61,7 +61,7 @@ impl Rotation {
             Direction::BodyToWorld => self.precise_matrix(),
             Direction::WorldToBody => self.precise_matrix().transpose(),
         };
-        (matrix * vector.map(scaled))
+        scaling::product(&matrix, vector.map(scaled))
             .map(|number| scaling::times_power_of_two(number.hi(), exponent))
     }
 

@@ -141,14 +141,34 @@ impl Fault {
     }
 }
 
-/// A number with about four digits, for a sentence.
+/// A number with about four digits, for a sentence. By whole numbers: how floating-point numbers are
+/// written exactly is 9 kB of compressed wasm that nothing else needs.
 fn short(number: f64) -> String {
     if number == 0.0 || (1e-2..1e6).contains(&number) {
-        let rounded = (number * 1e4).round() / 1e4;
-        rounded.to_string()
-    } else {
-        format!("{number:.3e}")
+        let (whole, part) = whole_and_part(number, 10_000);
+        let text = format!("{whole}.{part:04}");
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
     }
+    let (mut mantissa, mut exponent) = (number, 0);
+    while mantissa >= 10.0 && mantissa.is_finite() {
+        (mantissa, exponent) = (mantissa / 10.0, exponent + 1);
+    }
+    while mantissa < 1.0 && mantissa > 0.0 {
+        (mantissa, exponent) = (mantissa * 10.0, exponent - 1);
+    }
+    // 9.9999 is 10.000 when it is rounded.
+    if mantissa >= 9.9995 {
+        (mantissa, exponent) = (mantissa / 10.0, exponent + 1);
+    }
+    let (whole, part) = whole_and_part(mantissa, 1000);
+    format!("{whole}.{part:03}e{exponent}")
+}
+
+/// A number from 0 to 10⁶ as a whole number and as many thousandths or such.
+fn whole_and_part(number: f64, parts: u32) -> (u64, u64) {
+    #[expect(clippy::cast_possible_truncation, reason = "parts are 10^4 at most")]
+    let rounded = (number * f64::from(parts)).round() as u64;
+    (rounded / u64::from(parts), rounded % u64::from(parts))
 }
 
 /// A count of numbers in words.

@@ -184,7 +184,7 @@ fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[
     let mut y = start.map(TwoFloat::from);
     for _ in 0..NEWTON_STEPS {
         let eigenvalue = k[(pivot, pivot)] + b.dot(&y) * (1.0 / s);
-        let residual = b * TwoFloat::from(s) + a * y - y * eigenvalue;
+        let residual = b * TwoFloat::from(s) + scaling::product(&a, y) - y * eigenvalue;
         let jacobian =
             a_minus(eigenvalue.hi()) - y.map(in_doubles) * b.map(in_doubles).transpose() / s;
         y -= jacobian

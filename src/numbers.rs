@@ -72,7 +72,9 @@ pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
         return None;
     };
     let value = first.node.real().ok().filter(|_| entries.len() == 4)?;
-    let names_axes = value > 0.0 && value.to_string().parse::<EulerSequence>().is_ok();
+    let names_axes = (111..=333)
+        .filter(|&number| f64::from(number) == value)
+        .any(|number: u16| number.to_string().parse::<EulerSequence>().is_ok());
     let are_named = entries.iter().any(|entry| entry.key.is_some());
     (names_axes && !are_named).then_some(first.node.span)
 }

@@ -160,24 +160,21 @@ impl Outcome {
     /// The same outcome with every span counted in UTF-16 units of the text it points into: the text
     /// of a field, of the observation at a place where there are several.
     #[must_use]
-    pub fn in_utf16(mut self, text_of: impl Fn(Field, usize) -> String) -> Self {
-        let in_utf16 = |problem: &mut Problem, at| {
-            problem.span = problem.span.in_utf16(&text_of(problem.field, at));
-        };
-        match &mut self {
-            Self::Problems(Problems { problems }) => {
-                for problem in problems {
-                    in_utf16(problem, 0);
-                }
+    pub fn in_utf16(self, text_of: impl Fn(Field, usize) -> String) -> Self {
+        match self {
+            Self::Problems(problems) => {
+                Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
             }
-            Self::Identify(report) => {
-                for (at, observation) in report.observations.iter_mut().enumerate() {
-                    if let ObservationReport::Problem(found) = observation {
-                        in_utf16(&mut found.problem, at);
-                    }
-                }
-            }
-            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => {}
+            Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
+            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => self,
+        }
+    }
+}
+
+impl Problems {
+    pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field) -> String) -> Self {
+        for problem in &mut self.problems {
+            problem.span = problem.span.in_utf16(&text_of(problem.field));
         }
         self
     }

@@ -7,7 +7,7 @@ use crate::convention::{
 use crate::library::Language;
 use crate::perturbation::Side;
 use crate::probe::Probe;
-use crate::problem::Problem;
+use crate::problem::{Field, Problem};
 use crate::rotation_matrix::CosineMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -152,6 +152,18 @@ pub struct Contradiction {
     pub observations: Vec<usize>,
     /// The choices about which they disagree; empty where it takes several choices together.
     pub about: Vec<BehaviourAxis>,
+}
+
+impl IdentifyReport {
+    /// With every span counted in UTF-16 units of the text it points into.
+    pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field, usize) -> String) -> Self {
+        for (at, observation) in self.observations.iter_mut().enumerate() {
+            if let ObservationReport::Problem(ObservationProblem { problem, .. }) = observation {
+                problem.span = problem.span.in_utf16(&text_of(problem.field, at));
+            }
+        }
+        self
+    }
 }
 
 /// What remains of the behaviours, value by value.

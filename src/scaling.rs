@@ -4,7 +4,7 @@
 //! The doubled precision is `twofloat`'s (Joldes, Muller & Popescu 2017). It is what makes the last
 //! digit of a product, a matrix or a norm right; plain doubles lose two to six units of it.
 
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 use twofloat::TwoFloat;
 
 /// Half a unit in the last place of 1: the largest relative error of one rounding.
@@ -160,6 +160,13 @@ pub(crate) fn rounded_direction(components: [TwoFloat; 4]) -> Option<Quaternion<
 /// The quaternion of four components `[w, x, y, z]`, each rounded once.
 pub(crate) fn rounded([w, x, y, z]: [TwoFloat; 4]) -> Quaternion<f64> {
     Quaternion::new(w.hi(), x.hi(), y.hi(), z.hi())
+}
+
+/// A matrix times a column, in the order of nalgebra's product, which would compare with zero and so bring
+/// libm's table of powers into the wasm.
+pub(crate) fn product(matrix: &Matrix3<TwoFloat>, column: Vector3<TwoFloat>) -> Vector3<TwoFloat> {
+    let [x, y, z] = column.into();
+    matrix.column(0) * x + matrix.column(1) * y + matrix.column(2) * z
 }
 
 #[cfg(test)]

@@ -1,17 +1,29 @@
-//! The edge: the only file that knows JavaScript exists.
+//! The edge: only this file and the requests of `wasm_request` know JavaScript exists.
 //!
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
 
+use crate::analyze::{compose, read};
 use crate::convention::Convention;
-use crate::library::TABLE;
-use crate::problem::Field;
-use crate::request::Request;
+use crate::problem::{Field, Problem};
+use crate::report::Problems;
+use crate::wasm_request::{compose_request, read_request};
 use js_sys::{Reflect, TypeError};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
+#[cfg(feature = "libraries")]
+use {
+    crate::identify::identify,
+    crate::library::TABLE,
+    crate::request::{IdentifyRequest, TranslateRequest},
+    crate::translate::translate,
+    serde::de::DeserializeOwned,
+};
+
+/// The tags of a request and of an outcome.
+const VIEW: &str = "view";
+const STATUS: &str = "status";
 
 /// The named conventions.
 #[derive(Serialize, tsify::Tsify)]
@@ -30,29 +42,86 @@ struct Presets {
 pub fn analyze(
     #[wasm_bindgen(unchecked_param_type = "Request")] request: JsValue,
 ) -> Result<JsValue, TypeError> {
-    let request = request_of(request)?;
-    let outcome = crate::analyze(&request).in_utf16(|field, at| text_of(&request, field, at));
-    to_js(&outcome)
+    let view = Reflect::get(&request, &VIEW.into()).ok();
+    let view = view.and_then(|view| view.as_string());
+    answer_of(view.as_deref().unwrap_or_default(), &request)
 }
 
-/// The request of a view. By its tag here, and not by serde, which would copy everything into a type of
-/// its own first and add 18 kB to the compressed wasm.
-fn request_of(request: JsValue) -> Result<Request, TypeError> {
-    let view = Reflect::get(&request, &"view".into()).ok();
-    match view.and_then(|view| view.as_string()).as_deref() {
-        Some("read") => typed(request).map(Request::Read),
-        Some("compose") => typed(request).map(Request::Compose),
-        Some("translate") => typed(request).map(Request::Translate),
-        Some("identify") => typed(request).map(Request::Identify),
+/// By its tag here, and not by serde through the types of a request and an outcome, which would copy
+/// everything first, and would hold every view where a build answers two.
+fn answer_of(view: &str, request: &JsValue) -> Result<JsValue, TypeError> {
+    match view {
+        "read" => {
+            let request = read_request(request)?;
+            answer(view, read(&request), |field| match field {
+                Field::Vector => &request.vector,
+                _ => &request.quaternion,
+            })
+        }
+        "compose" => {
+            let request = compose_request(request)?;
+            answer(view, compose(&request), |field| match field {
+                Field::P => &request.p,
+                Field::Q => &request.q,
+                _ => &request.vector,
+            })
+        }
+        #[cfg(feature = "libraries")]
+        "translate" => {
+            let request: TranslateRequest = typed(request)?;
+            answer(view, translate(&request), |field| match field {
+                Field::WorldAxes => &request.world_axes,
+                Field::BodyAxes => &request.body_axes,
+                _ => &request.quaternion,
+            })
+        }
+        #[cfg(feature = "libraries")]
+        "identify" => {
+            let request: IdentifyRequest = typed(request)?;
+            let report = identify(&request).in_utf16(|field, at| {
+                let probe = request.observations.get(at);
+                probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
+            });
+            with_status(view, &report)
+        }
         _ => Err(TypeError::new(
             "this is not a request: its view is none of read, compose, translate, identify",
         )),
     }
 }
 
-fn typed<Kind: DeserializeOwned>(request: JsValue) -> Result<Kind, TypeError> {
-    serde_wasm_bindgen::from_value(request)
+/// A report, or problems that count the units of the texts they point into.
+fn answer<'request>(
+    view: &str,
+    answered: Result<impl Serialize, Vec<Problem>>,
+    text_of: impl Fn(Field) -> &'request String,
+) -> Result<JsValue, TypeError> {
+    match answered {
+        Ok(report) => with_status(view, &report),
+        Err(problems) => {
+            let problems = Problems { problems }.in_utf16(|field| text_of(field).clone());
+            with_status("problems", &problems)
+        }
+    }
+}
+
+#[cfg(feature = "libraries")]
+fn typed<Kind: DeserializeOwned>(request: &JsValue) -> Result<Kind, TypeError> {
+    serde_wasm_bindgen::from_value(request.clone())
         .map_err(|error| TypeError::new(&format!("this is not a request: {error}")))
+}
+
+/// An [`Outcome`](crate::Outcome) as serde would tag it.
+fn with_status(status: &str, report: &impl Serialize) -> Result<JsValue, TypeError> {
+    let outcome = to_js(report)?;
+    Reflect::set(&outcome, &STATUS.into(), &status.into())
+        .map_err(|_| TypeError::new("a report is an object"))?;
+    Ok(outcome)
+}
+
+/// The double nearest to a decimal number: digits, a point, an exponent.
+pub(crate) fn nearest_double(decimal: &str) -> f64 {
+    js_sys::parse_float(decimal)
 }
 
 /// The named conventions, Hamilton and JPL.
@@ -65,6 +134,7 @@ pub fn presets() -> Result<JsValue, TypeError> {
 }
 
 /// The table of libraries, as JSON: an array of `Library`.
+#[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = librariesJson)]
 pub fn libraries_json() -> String {
     TABLE.to_owned()
@@ -91,22 +161,4 @@ fn start() {
 
 fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
     serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
-}
-
-fn text_of(request: &Request, field: Field, at: usize) -> String {
-    let text = match (request, field) {
-        (Request::Read(read), Field::Vector) => &read.vector,
-        (Request::Read(read), _) => &read.quaternion,
-        (Request::Compose(compose), Field::P) => &compose.p,
-        (Request::Compose(compose), Field::Q) => &compose.q,
-        (Request::Compose(compose), _) => &compose.vector,
-        (Request::Translate(translate), Field::WorldAxes) => &translate.world_axes,
-        (Request::Translate(translate), Field::BodyAxes) => &translate.body_axes,
-        (Request::Translate(translate), _) => &translate.quaternion,
-        (Request::Identify(identify), field) => {
-            let probe = identify.observations.get(at);
-            return probe.map_or_else(String::new, |probe| probe.text(field).to_owned());
-        }
-    };
-    text.clone()
 }

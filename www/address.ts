@@ -230,6 +230,19 @@ export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true
   return state;
 }
 
+/** The state with the ends and the record of the opening in place of libraries that there are not. */
+export function withKnownLibraries(state: PageState, isLibrary: IsLibrary): PageState {
+  const isKnown = (end: Endpoint) => end.kind !== "library" || isLibrary(end.id);
+  const { from, to, library } = state;
+  if (isKnown(from) && isKnown(to) && (library === "" || isLibrary(library))) return state;
+  return {
+    ...state,
+    from: isKnown(from) ? from : opening.from,
+    to: isKnown(to) ? to : opening.to,
+    library: isLibrary(library) ? library : opening.library,
+  };
+}
+
 function probesFrom(parameters: URLSearchParams): readonly Probe[] {
   const written = parameters.getAll("probe").slice(0, mostObservations);
   const read = written.map(probeFromText).filter((probe) => probe !== undefined);

@@ -1,16 +1,8 @@
 // The one door to the core: the only file of the page that imports the wasm.
-import init, {
-  analyze as analyzeInCore,
-  type Convention,
-  type Library,
-  librariesJson,
-  type Outcome,
-  presets,
-  type Request,
-  type TranslatedEnd,
-  takePanicMessage,
-} from "../pkg/quatlas.js";
-import wasmUrl from "../pkg/quatlas_bg.wasm?url";
+import type { Convention, Library, Outcome, Request, TranslatedEnd } from "../pkg/quatlas.js";
+import wholeUrl from "../pkg/quatlas_bg.wasm?url";
+import * as small from "../pkg/small/quatlas_small.js";
+import smallUrl from "../pkg/small/quatlas_small_bg.wasm?url";
 
 export type * from "../pkg/quatlas.js";
 
@@ -20,10 +12,12 @@ export interface Failure {
   message: string;
 }
 
+/** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
 export interface Engine {
+  views: readonly Request["view"][];
   hamilton: Convention;
   jpl: Convention;
-  /** What libraries do, in the order of the table. */
+  /** What libraries do, in the order of the table; only the whole core has it. */
   libraries: readonly Library[];
   /** The answer to a request. It never throws. */
   analyze: (request: Request) => Outcome | Failure;
@@ -31,20 +25,43 @@ export interface Engine {
   endOf: (id: string) => TranslatedEnd | undefined;
 }
 
-export async function loadEngine(): Promise<Engine> {
-  await init({ module_or_path: wasmUrl });
-  const { hamilton, jpl } = presets();
+export async function loadSmallEngine(): Promise<Engine> {
+  await small.default({ module_or_path: smallUrl });
   return {
-    hamilton,
-    jpl,
-    libraries: JSON.parse(librariesJson()),
-    analyze,
-    endOf: remembered(endOf),
+    views: ["read", "compose"],
+    ...small.presets(),
+    libraries: [],
+    analyze: (request) => analyze(small, request),
+    endOf: () => undefined,
+  };
+}
+
+let loadedWhole: Promise<Engine> | undefined;
+
+/** Loads the whole core once; again only where that failed. */
+export function loadWholeEngine(): Promise<Engine> {
+  loadedWhole ??= fetchWholeEngine().catch((error: unknown) => {
+    loadedWhole = undefined;
+    throw error;
+  });
+  return loadedWhole;
+}
+
+async function fetchWholeEngine(): Promise<Engine> {
+  const whole = await import("../pkg/quatlas.js");
+  await whole.default({ module_or_path: wholeUrl });
+  const analyzeInWhole = (request: Request) => analyze(whole, request);
+  return {
+    views: ["read", "compose", "translate", "identify"],
+    ...whole.presets(),
+    libraries: JSON.parse(whole.librariesJson()),
+    analyze: analyzeInWhole,
+    endOf: remembered((id) => endOf(id, analyzeInWhole)),
   };
 }
 
 /** The end that a library is when nothing is said beyond its record. */
-function endOf(id: string): TranslatedEnd | undefined {
+function endOf(id: string, analyze: Engine["analyze"]): TranslatedEnd | undefined {
   const end = { kind: "library", id } as const;
   const answer = analyze({ view: "translate", quaternion: "1 2 3 4", from: end, to: end });
   return answer.status === "translate" ? answer.from : undefined;
@@ -58,18 +75,20 @@ function remembered<Value>(of: (id: string) => Value): (id: string) => Value {
   };
 }
 
-function analyze(request: Request): Outcome | Failure {
+type Wasm = Pick<typeof small, "analyze" | "takePanicMessage">;
+
+function analyze(core: Wasm, request: Request): Outcome | Failure {
   try {
-    return analyzeInCore(request);
+    return core.analyze(request);
   } catch (error) {
-    return { status: "failure", message: panicMessage() ?? String(error) };
+    return { status: "failure", message: panicMessage(core) ?? String(error) };
   }
 }
 
 /** What a panic said; the core that panicked may not be able to tell. */
-function panicMessage(): string | undefined {
+function panicMessage(core: Wasm): string | undefined {
   try {
-    return takePanicMessage();
+    return core.takePanicMessage();
   } catch {
     return undefined;
   }

@@ -1,30 +1,34 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import { render } from "preact";
-import { loadEngine } from "./engine.ts";
+import { fromFragment } from "./address.ts";
+import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./keep_address.ts";
+import { isLazy } from "./lazy_views.ts";
 import { showTheme } from "./settings.ts";
 import { startShortcuts } from "./shortcuts.ts";
 import { createStore } from "./state.ts";
 import "./style.css";
 import "./view/edit.css";
 import "./view/comfort.css";
-import "./view/identify.css";
-import "./view/identify_answer.css";
-import "./view/libraries.css";
+import "./view/loading.css";
 import "./view/notes.css";
-import "./view/picker.css";
 import "./view/picture.css";
-import "./view/translate.css";
-import { releaseOnLeaving } from "./view/hold.ts";
+import "./view/quiet.css";
 import "./view/surroundings.css";
+import { releaseOnLeaving } from "./view/hold.ts";
 import { Page } from "./view/Page.tsx";
 import { undoByKey } from "./view/undo_keys.ts";
+import { coreNotLoaded } from "./words/loading.tsx";
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
 restoreAddress();
-loadEngine().then(
+// A view that needs the whole core begins with it.
+const { view } = fromFragment(location.hash);
+const engine = isLazy(view) ? loadWholeEngine() : loadSmallEngine();
+
+engine.then(
   (engine) => {
     const store = createStore(engine, location.hash);
     root.replaceChildren();
@@ -37,11 +41,7 @@ loadEngine().then(
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
-    root
-      .querySelector("[data-loading]")
-      ?.replaceChildren(
-        `The core could not be loaded (${error}). Reload the page; a strict content policy must allow 'wasm-unsafe-eval'.`,
-      );
+    root.querySelector("[data-loading]")?.replaceChildren(coreNotLoaded(String(error)));
   },
 );
 

@@ -1,6 +1,12 @@
 // The one mutable value of the page, and what follows from it.
 import { batch, computed, signal } from "@preact/signals";
-import { fromFragment, isOfNewerVersion, opening, type PageState } from "./address.ts";
+import {
+  fromFragment,
+  isOfNewerVersion,
+  opening,
+  type PageState,
+  withKnownLibraries,
+} from "./address.ts";
 import type { Convention, Engine, Field, Outcome, Problem, Request } from "./engine.ts";
 import {
   type Content,
@@ -40,11 +46,12 @@ export interface Draft {
 
 export type Store = ReturnType<typeof createStore>;
 
-export function createStore(engine: Engine, fragment: string) {
-  const known = new Set(engine.libraries.map(({ id }) => id));
+export function createStore(first: Engine, fragment: string) {
+  const engine = signal(first);
+  const isLibrary = computed(() => knownBy(engine.value));
   // A link gives the same page everywhere; a bare address shows numbers as they were last chosen.
   const stateOf = (fragment: string): PageState => ({
-    ...fromFragment(fragment, (id) => known.has(id)),
+    ...fromFragment(fragment, isLibrary.peek()),
     ...(fragment.replace(/^#/, "") === "" && rememberedNumbers()),
   });
   const state = signal<PageState>(stateOf(fragment));
@@ -75,10 +82,10 @@ export function createStore(engine: Engine, fragment: string) {
     computed(() => to(history.value, state.value.view) !== undefined);
 
   // As text, so that what asks nothing of the core, such as the look of the picture, runs nothing.
-  const asked = computed(() => JSON.stringify(requestOf(state.value, engine)));
+  const asked = computed(() => JSON.stringify(requestOf(state.value, engine.value)));
   const outcome = computed(() => {
     asked.value;
-    return answer(state.peek(), engine);
+    return answer(state.peek(), engine.value);
   });
 
   const problems = computed<Problem[]>(() =>
@@ -94,13 +101,23 @@ export function createStore(engine: Engine, fragment: string) {
   const lastOf = <Status extends Good["status"]>(status: Status) =>
     lastGood(
       () => outcome.value,
-      () => answer({ ...opening, view: status }, engine),
+      () => answer({ ...opening, view: status }, engine.value),
       (outcome): outcome is Good & { status: Status } => outcome?.status === status,
     );
 
   return {
     state,
-    engine,
+    get engine() {
+      return engine.value;
+    },
+    /** Answers with another core from now on. */
+    useEngine: (other: Engine) => {
+      if (other === engine.peek()) return;
+      batch(() => {
+        engine.value = other;
+        state.value = withKnownLibraries(state.peek(), isLibrary.peek());
+      });
+    },
     /** Whether the opened link is of a newer quatlas. */
     isLinkNewer,
     read: lastOf("read"),
@@ -131,12 +148,19 @@ export function createStore(engine: Engine, fragment: string) {
   };
 }
 
+/** Which ids are those of libraries; without the table any may be. */
+function knownBy({ libraries }: Engine): (id: string) => boolean {
+  if (libraries.length === 0) return () => true;
+  const known = new Set(libraries.map(({ id }) => id));
+  return (id) => known.has(id);
+}
+
 type Answer = ReturnType<Engine["analyze"]> | undefined;
 
-/** What the core answers to a state; nothing where its view asks nothing. */
+/** What the core answers to a state; nothing where its view asks nothing, or more than this core knows. */
 function answer(state: PageState, engine: Engine): Answer {
   const request = requestOf(state, engine);
-  return request && engine.analyze(request);
+  return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
 }
 
 function requestOf(state: PageState, engine: Engine): Request | undefined {

@@ -141,12 +141,13 @@ function findBrowser() {
   return BROWSERS.map((name) => ask("which", name)).find(Boolean);
 }
 
-/** Builds the core with wasm-pack, unless nothing it is made of has changed. */
+/** Builds both cores with wasm-pack, unless nothing they are made of has changed. */
 export async function buildCore() {
   const inputs =
     ask("git", "ls-files", "-co", "--exclude-standard", "src")?.split("\n").sort() ?? [];
   const hash = createHash("sha256");
-  for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", ...inputs]) {
+  const itself = join("www", "tasks", "setup.mjs");
+  for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", itself, ...inputs]) {
     if (exists(file)) hash.update(file).update(readFileSync(join(root, file)));
   }
   const fingerprint = hash.digest("hex");
@@ -156,7 +157,14 @@ export async function buildCore() {
   say(
     "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
   );
-  await runQuietly(
+  await buildWasm("pkg", "--out-name", "quatlas");
+  const small = join("pkg", "small");
+  await buildWasm(small, "--out-name", "quatlas_small", "--", "--no-default-features");
+  writeFileSync(stamp, fingerprint);
+}
+
+function buildWasm(folder, ...options) {
+  return runQuietly(
     { task: "build the core", advice: "mend what the compiler names, or check the network" },
     "wasm-pack",
     "build",
@@ -164,8 +172,8 @@ export async function buildCore() {
     "--target",
     "web",
     "--out-dir",
-    "pkg",
+    folder,
     "--no-pack",
+    ...options,
   );
-  writeFileSync(stamp, fingerprint);
 }

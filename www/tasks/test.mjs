@@ -19,6 +19,8 @@ const steps = {
     run("cargo", "clippy", "--locked", "--all-targets", ...warningsAreErrors);
     const wasm = ["--target", "wasm32-unknown-unknown"];
     run("cargo", "clippy", "--locked", "--all-targets", ...wasm, ...warningsAreErrors);
+    const small = [...wasm, "--no-default-features"];
+    run("cargo", "clippy", "--locked", ...small, ...warningsAreErrors);
     run("cargo", "test", "--locked");
     process.env.RUSTDOCFLAGS = "-D warnings";
     run("cargo", "doc", "--locked", "--no-deps");

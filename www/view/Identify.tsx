@@ -13,6 +13,11 @@ import { printedId } from "./IdentifyObservation.tsx";
 import { Sheet } from "./IdentifySheet.tsx";
 import { keptAnswer } from "./identify_answer.ts";
 import { codeLanguages, settledFamily } from "./identify_choices.ts";
+import "./picker.css";
+import "./translate.css";
+import "./libraries.css";
+import "./identify.css";
+import "./identify_answer.css";
 
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);

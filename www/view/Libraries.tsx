@@ -15,6 +15,9 @@ import {
 import { LibraryRecord } from "./LibraryRecord.tsx";
 import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "./library.ts";
 import { found } from "./library_search.ts";
+import "./picker.css";
+import "./translate.css";
+import "./libraries.css";
 
 const { columns } = words;
 

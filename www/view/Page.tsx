@@ -1,30 +1,29 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-
 import { type Digits, toFragment, type Unit, type View } from "../address.ts";
 import { shown, shownAngle, shownAxis } from "../format.ts";
-
+import { isLazy, load, loadingOf } from "../lazy_views.ts";
 import { saidOf } from "../said.ts";
-
 import type { Store } from "../state.ts";
 import { Compose } from "./Compose.tsx";
-import { Identify, spokenIdentity } from "./Identify.tsx";
-import { Libraries, spokenLibraries } from "./Libraries.tsx";
+import { Lazy } from "./Lazy.tsx";
 import { Overlay } from "./Overlay.tsx";
 import { Read } from "./Read.tsx";
 import { Tools } from "./Settings.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
-import { spokenTranslation, Translate } from "./Translate.tsx";
 import { namesInOrder } from "./Value.tsx";
 import { nameOf, symbolOf } from "./words.ts";
 
-const views: { view: View; name: string; Shown: (props: { store: Store }) => VNode }[] = [
-  { view: "read", name: "Read", Shown: Read },
-  { view: "compose", name: "Compose", Shown: Compose },
-  { view: "translate", name: "Translate", Shown: Translate },
-  { view: "identify", name: "Identify", Shown: Identify },
-  { view: "libraries", name: "Libraries", Shown: Libraries },
+const views: { view: View; name: string }[] = [
+  { view: "read", name: "Read" },
+  { view: "compose", name: "Compose" },
+  { view: "translate", name: "Translate" },
+  { view: "identify", name: "Identify" },
+  { view: "libraries", name: "Libraries" },
 ];
+
+/** The views of the first load. */
+const firstViews = { read: Read, compose: Compose };
 
 export function Page({ store }: { store: Store }) {
   const state = store.state.value;
@@ -40,6 +39,8 @@ export function Page({ store }: { store: Store }) {
               key={view}
               href={`#${toFragment({ ...state, view })}`}
               aria-current={state.view === view ? "page" : undefined}
+              // A pointer on the way to a view has a moment in which it can be loaded.
+              onPointerEnter={() => isLazy(view) && load(view, store)}
             >
               {name}
             </a>
@@ -57,7 +58,10 @@ export function Page({ store }: { store: Store }) {
             reload the page.
           </p>
         )}
-        {views.map(({ view, Shown }) => view === state.view && <Shown key={view} store={store} />)}
+        {views.map(
+          ({ view, name }) =>
+            view === state.view && <Shown key={view} view={view} name={name} store={store} />,
+        )}
       </main>
       <footer class="colophon">
         <p>
@@ -73,6 +77,12 @@ export function Page({ store }: { store: Store }) {
   );
 }
 
+function Shown({ view, name, store }: { view: View; name: string; store: Store }): VNode {
+  if (isLazy(view)) return <Lazy view={view} name={name} store={store} />;
+  const First = firstViews[view];
+  return <First store={store} />;
+}
+
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
   const { view, digits, unit } = store.state.value;
@@ -86,12 +96,10 @@ function spoken(store: Store): string {
       return spokenTurn(store, digits, unit);
     case "compose":
       return spokenProduct(store, digits);
-    case "translate":
-      return spokenTranslation(store);
-    case "identify":
-      return spokenIdentity(store);
-    case "libraries":
-      return spokenLibraries(store);
+    default: {
+      const loading = loadingOf[view].value;
+      return loading.status === "loaded" ? loading.spoken(store) : "";
+    }
   }
 }
 

@@ -21,6 +21,8 @@ import { AxesCard, MistakesCard, ProductCard } from "./TranslateFacts.tsx";
 import { Why } from "./TranslationWhy.tsx";
 import { UndoRedo } from "./UndoRedo.tsx";
 import { ComponentStrip, namesInOrder } from "./Value.tsx";
+import "./picker.css";
+import "./translate.css";
 
 export function Translate({ store }: { store: Store }) {
   const { digits } = store.state.value;

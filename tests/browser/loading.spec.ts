@@ -1,0 +1,137 @@
+// What the page loads, when, and how much of it; and that nothing moves meanwhile.
+import { type Page, test as plainTest } from "@playwright/test";
+import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
+
+/** Compressed bytes: what was measured, and 3 %. */
+const firstBudget = 158_000;
+const lazyBudgets: Record<string, number> = {
+  "Identify.js": 8_840,
+  "Identify.css": 2_310,
+  "Libraries.js": 3_870,
+  "Translate.js": 8_340,
+  "libraries.css": 1_230,
+  "library_search.js": 410,
+  "observations.js": 21_670,
+  "quatlas.js": 3_310,
+  "quatlas_bg.wasm": 265_410,
+  "translate.js": 1_610,
+  "translate.css": 1_820,
+};
+
+test("the first load is within its budget", () => {
+  const { first } = partsOfPage();
+  expect(first.map(({ name }) => name)).toContain("quatlas_small_bg.wasm");
+  expect(gzipTotal(first)).toBeLessThanOrEqual(firstBudget);
+});
+
+test("every part that is loaded later has a budget, and is within it", () => {
+  const { lazy } = partsOfPage();
+  const names = lazy.map(({ name }) => name).sort();
+  expect(names).toEqual(Object.keys(lazyBudgets).sort());
+  for (const { name, gzip } of lazy) {
+    expect(gzip, name).toBeLessThanOrEqual(lazyBudgets[name] ?? 0);
+  }
+});
+
+/** The names of the files that the page asks for from now on. */
+function requested(page: Page): string[] {
+  const files: string[] = [];
+  page.on("request", (request) => {
+    files.push(new URL(request.url()).pathname.split("/").at(-1) || "index.html");
+  });
+  return files;
+}
+
+test("a bare address loads only the first load", async ({ page }) => {
+  const files = requested(page);
+  await page.goto("./", { waitUntil: "networkidle" });
+  const { first, fonts } = partsOfPage();
+  const known = [...first, ...fonts].map(({ file }) => file);
+  expect(files.filter((file) => !known.includes(file))).toEqual([]);
+  await page.getByRole("link", { name: "Compose" }).click();
+  await expect(matrix(page, "R(p ⊙ q)")).toBeVisible();
+  expect(files.filter((file) => !known.includes(file))).toEqual([]);
+});
+
+test("an address that opens a later view loads the whole core and not the small one", async ({
+  page,
+}) => {
+  const files = requested(page);
+  await page.goto("./#libraries?library=eigen", { waitUntil: "networkidle" });
+  await expect(page.getByRole("table")).toBeVisible();
+  expect(files.filter((file) => file.startsWith("quatlas_bg"))).toHaveLength(1);
+  expect(files.filter((file) => file.startsWith("quatlas_small_bg"))).toEqual([]);
+});
+
+test("the whole core takes over what was typed for the small one", async ({ page }) => {
+  await page.goto("./#read?from=nowhere&to=eigen");
+  await quaternionField(page).fill("0.6 0 0 0.8");
+  const before = await numbersOf(matrix(page, "R(q)"));
+  await page.getByRole("link", { name: "Translate" }).click();
+  await expect(page.getByRole("textbox", { name: "quaternion q" })).toHaveValue(/0\.1/);
+  // An end that is no library is that of the opening.
+  await expect(page).toHaveURL(/to=eigen/);
+  await expect(page).not.toHaveURL(/nowhere/);
+  await page.getByRole("link", { name: "Read" }).click();
+  await expect(quaternionField(page)).toHaveValue("0.6 0 0 0.8");
+  expect(await numbersOf(matrix(page, "R(q)"))).toEqual(before);
+});
+
+for (const width of [1280, 390]) {
+  test(`nothing moves while the page loads and is typed into, ${width} wide`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await page.addInitScript(watchShifts);
+    await page.goto("./", { waitUntil: "networkidle" });
+    await quaternionField(page).focus();
+    await page.keyboard.press("ControlOrMeta+a");
+    for (const key of "0.92 + 0.38k") await page.keyboard.press(key === " " ? "Space" : key);
+    await expect(page.getByText("Read as")).toContainText("0.38");
+    expect(await page.evaluate(cumulativeShift)).toBe(0);
+  });
+}
+
+/** Browsers count what moves by itself, and not what moves in the half second after a key. */
+function watchShifts() {
+  const watched = globalThis as { shift?: number };
+  watched.shift = 0;
+  new PerformanceObserver((list) => {
+    for (const entry of list.getEntries() as (PerformanceEntry & LayoutShift)[]) {
+      if (!entry.hadRecentInput) watched.shift = (watched.shift ?? 0) + entry.value;
+    }
+  }).observe({ type: "layout-shift", buffered: true });
+}
+
+interface LayoutShift {
+  value: number;
+  hadRecentInput: boolean;
+}
+
+/** After the frames in which the last change is painted. */
+async function cumulativeShift() {
+  for (const _ of [1, 2]) await new Promise((painted) => requestAnimationFrame(painted));
+  return (globalThis as { shift?: number }).shift;
+}
+
+test("an unfinished number moves nothing below the field", async ({ page }) => {
+  await page.goto("./");
+  const result = page.locator(".result .columns");
+  await quaternionField(page).fill("0.92 + 0.38k");
+  const before = await result.evaluate((node) => node.getBoundingClientRect().top);
+  await quaternionField(page).fill("0.92 + 0.38k + ");
+  await expect(page.locator(".result")).toHaveClass(/old/);
+  expect(await result.evaluate((node) => node.getBoundingClientRect().top)).toBe(before);
+});
+
+plainTest("a view that cannot be loaded says so, and is loaded on request", async ({ page }) => {
+  await page.goto("./");
+  await quaternionField(page).fill("0.6 0 0 0.8");
+  await page.route("**/quatlas_bg-*.wasm", (route) => route.abort());
+  await page.getByRole("link", { name: "Identify" }).click();
+  await expect(page.getByRole("alert")).toContainText("Identify could not be loaded");
+  await page.getByRole("link", { name: "Read" }).click();
+  await expect(quaternionField(page)).toHaveValue("0.6 0 0 0.8");
+  await page.unroute("**/quatlas_bg-*.wasm");
+  await page.getByRole("link", { name: "Identify" }).click();
+  await expect(page.getByText("ij = −k and yet not JPL")).toBeVisible();
+});

@@ -1,0 +1,11 @@
+/** A file of the built page, with the name that its hash leaves. */
+export interface Part {
+  name: string;
+  file: string;
+  bytes: number;
+  gzip: number;
+}
+
+export function partsOfPage(): { first: Part[]; lazy: Part[]; fonts: Part[] };
+
+export function gzipTotal(parts: readonly Part[]): number;

@@ -1,0 +1,41 @@
+// The files of the built page and their sizes: those of the first load, and those that are loaded later.
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { root } from "./shell.mjs";
+
+const folder = join(root, "dist", "page");
+const smallCore = /^quatlas_small_bg-/;
+const font = /\.woff2$/;
+
+/** What a bare address loads before it is idle, what may follow, and the fonts, which do not compress. */
+export function partsOfPage() {
+  const html = readFileSync(join(folder, "index.html"), "utf8");
+  const isFirst = (file) => smallCore.test(file) || html.includes(`./assets/${file}"`);
+  const files = readdirSync(join(folder, "assets")).map((file) => ({
+    ...part(join("assets", file), nameOf(file)),
+    file,
+  }));
+  const others = readdirSync(folder, { withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map(({ name }) => ({ ...part(name, name), file: name }));
+  const isHtml = ({ file }) => file === "index.html";
+  const all = [...files, ...others];
+  const fonts = all.filter(({ file }) => font.test(file));
+  const first = all.filter((part) => !fonts.includes(part) && (isHtml(part) || isFirst(part.file)));
+  const lazy = all.filter((part) => !fonts.includes(part) && !first.includes(part));
+  return { first, lazy, fonts };
+}
+
+export const gzipTotal = (parts) => parts.reduce((sum, { gzip }) => sum + gzip, 0);
+
+/** The name of a built file without the hash of its content. */
+function nameOf(file) {
+  return file.replace(/-[\w-]{8}(?=\.\w+$)/, "");
+}
+
+function part(path, name) {
+  const bytes = readFileSync(join(folder, path));
+  const gzip = font.test(path) ? bytes.length : gzipSync(bytes, { level: 9 }).length;
+  return { name, bytes: bytes.length, gzip };
+}

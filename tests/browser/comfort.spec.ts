@@ -246,7 +246,7 @@ test("a part that cannot be loaded says so", async ({ page }) => {
   await expect(page.getByRole("dialog").getByRole("alert")).toContainText("could not be loaded");
 });
 
-const views = ["read", "compose", "translate", "identify", "libraries"];
+const views = ["read", "compose", "translate", "identify", "libraries?find=jpl"];
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const key of ["?", "e"]) {
@@ -265,6 +265,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 
 for (const view of views) {
   test(`no accessibility violation in forced colours: ${view}`, async ({ page }) => {
+    test.slow();
     await page.emulateMedia({ forcedColors: "active" });
     await page.goto(`/#${view}`);
     await expect(page.locator("main").first()).not.toBeEmpty();

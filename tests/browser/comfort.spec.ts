@@ -1,5 +1,6 @@
 // Settings that are remembered, the theme, the keys, and how the page looks in other surroundings.
 import type { Page } from "@playwright/test";
+import { fromFragment, opening, toFragment } from "../../www/address.ts";
 import { fromRadians, shownAngle, shownRoughAngle } from "../../www/format.ts";
 import { table } from "../../www/shortcuts.ts";
 import { shortcutWords } from "../../www/words/help.ts";
@@ -28,6 +29,15 @@ test("angles are shown in degrees or radians, as exactly as they are known", () 
   expect(shownAngle({ degrees: -90, radians: -1.5 }, "6", "degrees")).toBe("−90°");
   expect(shownRoughAngle(53.13010235, "degrees")).toBe("53.1°");
   expect(shownRoughAngle(53.13010235, "radians")).toBe("0.927\u00a0rad");
+});
+
+test("the address holds the unit, and no other word is one", () => {
+  const radians = { ...opening, unit: "radians" } as const;
+  expect(toFragment(radians)).toBe("read?unit=rad");
+  expect(fromFragment("read?unit=rad")).toEqual(radians);
+  for (const other of ["deg", "radians", "__proto__", ""]) {
+    expect(fromFragment(`read?unit=${other}`)).toEqual(opening);
+  }
 });
 
 test("the unit of angles follows the choice wherever an angle stands, and the address", async ({

@@ -1,5 +1,6 @@
 // Settings that are remembered, the theme, the keys, and how the page looks in other surroundings.
 import type { Page } from "@playwright/test";
+import { fromFragment, opening, toFragment } from "../../www/address.ts";
 import { fromRadians, shownAngle, shownRoughAngle } from "../../www/format.ts";
 import { table } from "../../www/shortcuts.ts";
 import { shortcutWords } from "../../www/words/help.ts";
@@ -28,6 +29,15 @@ test("angles are shown in degrees or radians, as exactly as they are known", () 
   expect(shownAngle({ degrees: -90, radians: -1.5 }, "6", "degrees")).toBe("−90°");
   expect(shownRoughAngle(53.13010235, "degrees")).toBe("53.1°");
   expect(shownRoughAngle(53.13010235, "radians")).toBe("0.927\u00a0rad");
+});
+
+test("the address holds the unit, and no other word is one", () => {
+  const radians = { ...opening, unit: "radians" } as const;
+  expect(toFragment(radians)).toBe("read?unit=rad");
+  expect(fromFragment("read?unit=rad")).toEqual(radians);
+  for (const other of ["deg", "radians", "__proto__", ""]) {
+    expect(fromFragment(`read?unit=${other}`)).toEqual(opening);
+  }
 });
 
 test("the unit of angles follows the choice wherever an angle stands, and the address", async ({
@@ -246,7 +256,7 @@ test("a part that cannot be loaded says so", async ({ page }) => {
   await expect(page.getByRole("dialog").getByRole("alert")).toContainText("could not be loaded");
 });
 
-const views = ["read", "compose", "translate", "identify", "libraries"];
+const views = ["read", "compose", "translate", "identify", "libraries?find=jpl"];
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const key of ["?", "e"]) {
@@ -265,6 +275,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 
 for (const view of views) {
   test(`no accessibility violation in forced colours: ${view}`, async ({ page }) => {
+    test.slow();
     await page.emulateMedia({ forcedColors: "active" });
     await page.goto(`/#${view}`);
     await expect(page.locator("main").first()).not.toBeEmpty();

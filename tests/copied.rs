@@ -15,9 +15,13 @@ use quatlas::nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
 )]
 fn nalgebra_makes_the_rotation_of_the_page() {
     // Written by tests/browser/copied_texts.spec.ts, which compares it with what is copied.
-    let copied: [(&str, Matrix3<f64>, [[f64; 3]; 3]); 17] =
-        include!("vectors/copied_nalgebra.rs");
+    let copied: [(&str, Matrix3<f64>, [[f64; 3]; 3]); 17] = include!("vectors/copied_nalgebra.rs");
     for (value, matrix, rows) in copied {
-        assert_close(value, matrix.transpose().as_slice(), rows.as_flattened(), 1e-15);
+        assert_close(
+            value,
+            matrix.transpose().as_slice(),
+            rows.as_flattened(),
+            1e-15,
+        );
     }
 }

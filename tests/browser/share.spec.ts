@@ -1,7 +1,7 @@
 // Sharing: the link, as Markdown and as a citation; the version in the address and on the page.
 import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
-import { expect, sidewaysScroll, test, violationsOf } from "./support.ts";
+import { expect, sidewaysScroll, test, violationsIn } from "./support.ts";
 
 test.beforeEach(({ context }) => context.grantPermissions(["clipboard-read", "clipboard-write"]));
 
@@ -85,7 +85,7 @@ test("the panel is used by keyboard, fits a phone and has nothing for axe", asyn
   await expect(button).toBeFocused();
   await page.keyboard.press("Enter");
   await expect(page.getByRole("dialog")).toBeVisible();
-  expect(await violationsOf(page)).toEqual([]);
+  expect(await violationsIn(page, ".popup")).toEqual([]);
 });
 
 test("an address of a newer version opens what is known, says so and is kept", async ({ page }) => {

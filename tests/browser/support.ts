@@ -45,7 +45,7 @@ export const quaternionField = (page: Page) => page.getByRole("textbox", { name:
 
 /** Tabs from the start of the page until the element has the focus. */
 export async function tabTo(page: Page, element: Locator) {
-  for (let presses = 0; presses < 150; presses += 1) {
+  for (let presses = 0; presses < 100; presses += 1) {
     if (await element.evaluate((node) => node === document.activeElement)) return;
     await page.keyboard.press("Tab");
   }
@@ -72,7 +72,12 @@ export function sidewaysScroll(page: Page) {
 /** The violations that axe finds, with every part of the page open. */
 export async function violationsOf(page: Page) {
   await openEverything(page);
-  const { violations } = await new AxeBuilder({ page }).analyze();
+  return violationsIn(page, "html");
+}
+
+/** The violations that axe finds in a part of the page. */
+export async function violationsIn(page: Page, part: string) {
+  const { violations } = await new AxeBuilder({ page }).include(part).analyze();
   return violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]);
 }
 

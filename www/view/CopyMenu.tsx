@@ -47,7 +47,7 @@ export function CopyMenu({ of, text, value, chosen, anchor, copy, close }: MenuP
       anchor={anchor}
       close={close}
       role="menu"
-      label={copyWords.choose(of)}
+      label={copyWords.menu(of)}
       kind="copy-menu"
       onKeyDown={onKeyDown}
     >

@@ -23,5 +23,6 @@ export const copyWords = {
   copied: (of: string, format: Format) =>
     format === "numbers" ? `${of} copied` : `${of} copied as ${formatNames[format]}`,
   notAllowed: (of: string) => `${of} not copied: the browser does not allow it`,
-  choose: (of: string) => `Copy ${of} as …`,
+  choose: (of: string) => `Formats of ${of}`,
+  menu: (of: string) => `Copy ${of} as`,
 };

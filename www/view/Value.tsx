@@ -36,7 +36,7 @@ export function ComponentStrip({
   return (
     <div class="strip">
       <var>{symbol}</var>
-      <dl>
+      <dl class={group && `edited digits-${digits}`}>
         {names.map((component, at) => (
           <div key={component} class={component === "w" ? "strip-scalar" : undefined}>
             <dt>{component}</dt>
@@ -90,7 +90,7 @@ export function Matrix({
   const group = edited && numberGroup(edited, rows.flat());
   const cells = group ? alignedAll(shownNumbers(group), 3, digits) : alignedRows(rows, digits);
   return (
-    <figure class="matrix">
+    <figure class={`matrix ${group ? "edited" : ""} ${digits === "all" ? "with-all" : ""}`}>
       <figcaption>
         <span class="matrix-symbol">{symbol}</span>
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}

@@ -5,8 +5,13 @@ const heldParts = ".field-hero .field-text, .ask-status";
 
 /** Keeps the heights as they are; what needs more in the meantime keeps that. */
 export function hold() {
+  document.documentElement.classList.add("holding");
   for (const part of document.querySelectorAll<HTMLElement>(heldParts)) {
-    part.style.setProperty("--held-height", `${part.getBoundingClientRect().height}px`);
+    const height = `${part.getBoundingClientRect().height}px`;
+    // Usually nothing changes, and nothing has to be laid out again.
+    if (part.style.getPropertyValue("--held-height") !== height) {
+      part.style.setProperty("--held-height", height);
+    }
     part.classList.add("held");
   }
 }
@@ -27,6 +32,7 @@ export function inPlace(field: HTMLElement, edit: () => void) {
 }
 
 function release() {
+  document.documentElement.classList.remove("holding");
   for (const part of document.querySelectorAll(".held")) part.classList.remove("held");
 }
 

@@ -84,6 +84,9 @@ export function EulerFact({
   );
 }
 
+/** Nearer to the lock than this is the rounding of 90° to a double, which is no distance. */
+const roundingDeg = 1e-12;
+
 function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; digits: Digits }) {
   const { gimbalLock: lock, nearLockDeg } = euler;
   if (nearLockDeg !== undefined) return <p class="gimbal-lock">{nearLockWords(nearLockDeg)}</p>;
@@ -96,7 +99,8 @@ function GimbalLock({ euler, names, digits }: { euler: Euler; names: string[]; d
         sign,
         survivor: shownDegrees(lock.survivorDeg, digits),
         lost: names[lock.lost],
-        distance: lock.distanceDeg === 0 ? undefined : shownDegrees(lock.distanceDeg, digits),
+        distance:
+          lock.distanceDeg < roundingDeg ? undefined : shownDegrees(lock.distanceDeg, digits),
       })}
     </p>
   );

@@ -27,7 +27,7 @@ const FLIPPED_COSINE: f64 = 0.999;
 /// Why nine numbers are no attitude, and the matrix that may have been meant.
 pub(crate) struct Refusal {
     pub(crate) fault: Fault,
-    pub(crate) suggestion: Option<Suggestion>,
+    pub(crate) suggestion: Option<Box<Suggestion>>,
 }
 
 impl From<Fault> for Refusal {
@@ -91,11 +91,11 @@ pub(crate) fn of_matrix(
     Ok((read, nearest.rotation))
 }
 
-fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Suggestion {
-    Suggestion {
+fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Box<Suggestion> {
+    Box::new(Suggestion {
         remedy,
         text: rows_text(&rows3(matrix)),
-    }
+    })
 }
 
 /// A mirror image and the flip that undoes it with the smallest turn left over.

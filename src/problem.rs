@@ -242,7 +242,7 @@ pub struct Problem {
     pub hint: String,
     /// The text to write in its place, where that is certain; in the answers of
     /// [`analyze`](fn@crate::analyze) only.
-    pub suggestion: Option<Suggestion>,
+    pub suggestion: Option<Box<Suggestion>>,
 }
 
 impl fmt::Display for Problem {

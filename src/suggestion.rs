@@ -74,7 +74,7 @@ pub(crate) fn with_suggestion(
         .iter()
         .find_map(|&(remedy, rewrite)| {
             let text = mended(&problem, text, rewrite, read, MOST_STEPS)?;
-            Some(Suggestion { remedy, text })
+            Some(Box::new(Suggestion { remedy, text }))
         });
     Problem {
         suggestion,

@@ -81,13 +81,14 @@ fn a_flip_that_the_matrix_does_not_tell_is_the_one_of_the_smallest_turn() {
         [0, 1, 2].map(row).join("\n")
     };
     let axes = ["x", "y", "z"];
-    for flipped in 0..3 {
+    for (flipped, axis) in axes.into_iter().enumerate() {
         let signs = [0, 1, 2].map(|at| if at == flipped { -1.0 } else { 1.0 });
         let found = problem(&text(signs));
-        assert!(found.message.ends_with(&format!(
-            "turning {} back leaves the smallest turn",
-            axes[flipped]
-        )));
+        assert!(
+            found
+                .message
+                .ends_with(&format!("turning {} back leaves the smallest turn", axis))
+        );
         assert_eq!(offered(&text(signs)), text([1.0; 3]));
     }
     let found = problem(&text([-1.0; 3]));

@@ -111,7 +111,9 @@ test("nine numbers are read with the function and direction of a matrix", async 
 test("Euler angles follow the chosen sequence, and gimbal lock is told", async ({ page }) => {
   await page.goto("/#read?quaternion=ZYX+30%C2%B0+90%C2%B0+10%C2%B0");
   const fact = page.locator(".fact-euler");
-  await expect(fact).toContainText("only yaw − roll = 20° is determined; roll is set to 0");
+  await expect(fact).toContainText(
+    "only yaw − roll = 20° is determined; roll is lost and set to 0",
+  );
   const select = page.getByRole("combobox", { name: "Euler axes" });
   await tabTo(page, select);
   await page.keyboard.type("z-x-z");

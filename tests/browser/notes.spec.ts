@@ -168,7 +168,7 @@ test("gimbal lock says which angle is lost, what survives, and how far it is", a
   await page.goto("/");
   await type(page, "ZYX 30° 90° 10°");
   const lock = page.locator(".gimbal-lock");
-  await expect(lock).toContainText("only yaw − roll = 20");
+  await expect(lock).toHaveText(/^Gimbal lock: .*only yaw − roll = 20/);
   await expect(lock).toContainText(/(roll|yaw) is lost and set to 0/);
 });
 

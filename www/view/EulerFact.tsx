@@ -112,6 +112,9 @@ export function EulerFact({
   );
 }
 
+/** Nearer to the lock than this is the rounding of 90° to a double, which is no distance. */
+const roundingDeg = 1e-12;
+
 function GimbalLock({
   euler,
   names,
@@ -137,7 +140,7 @@ function GimbalLock({
         survivor: shownAngle(fromDegrees(lock.survivorDeg), digits, unit),
         lost: names[lock.lost],
         distance:
-          lock.distanceDeg === 0
+          lock.distanceDeg < roundingDeg
             ? undefined
             : shownAngle(fromDegrees(lock.distanceDeg), digits, unit),
       })}

@@ -235,7 +235,7 @@ test("the page serves the optimised wasm of the build, and explains itself witho
     page.goto("/"),
   ]);
   const { readFileSync } = await import("node:fs");
-  const built = readFileSync(new URL("../../pkg/quatlas_bg.wasm", import.meta.url));
+  const built = readFileSync(new URL("../../pkg/small/quatlas_small_bg.wasm", import.meta.url));
   expect(Buffer.compare(await response.body(), built)).toBe(0);
 
   const context = await browser.newContext({ javaScriptEnabled: false });

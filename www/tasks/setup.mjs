@@ -157,9 +157,9 @@ export async function buildCore() {
   say(
     "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
   );
-  await buildWasm("pkg", "--out-name", "quatlas");
   const small = join("pkg", "small");
   await buildWasm(small, "--out-name", "quatlas_small", "--", "--no-default-features");
+  await buildWasm("pkg", "--out-name", "quatlas");
   writeFileSync(stamp, fingerprint);
 }
 

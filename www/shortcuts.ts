@@ -18,7 +18,7 @@ export type ShortcutName =
   | View
   | Preset
   | ("field" | "copy" | "digits" | "unit" | "theme" | "gallery" | "help")
-  | ("undo" | "redo");
+  | ("undo" | "redo" | "mend");
 
 interface Shortcut {
   name: ShortcutName;

@@ -4,7 +4,9 @@ import type { PictureState, Reading } from "../address_picture.ts";
 import type { ReadReport } from "../engine.ts";
 import { shownArray, shownAxis, shownRoughAngle } from "../format.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { arrowOf, presetOf, wordsOf } from "../view/words.ts";
+import { presetOf } from "../view/conventions.ts";
+import { hold } from "../view/hold.ts";
+import { arrowOf, wordsOf } from "../words/conventions.ts";
 import {
   activeWords,
   axesWords,
@@ -52,7 +54,7 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
   const description = describe(report, reading, picture, angle);
 
   const written = useRef<{ pose: Quaternion; text: string }>(undefined);
-  const onTurn = (turn: Quaternion) => {
+  const onTurn = (turn: Quaternion, by: "drag" | "key") => {
     const state = store.state.peek();
     // Going on from what was written last, the pose is known with more digits than the text has.
     const last = written.current?.text === state.quaternion ? written.current.pose : undefined;
@@ -60,7 +62,12 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
     const convention = declaredConvention(state, store.engine);
     const text = poseAsText(pose, convention, report.rules, state.digits);
     written.current = { pose, text };
-    store.set({ quaternion: text }, { as: "turning the body" });
+    hold();
+    // A drag is one step of the history, however long the hand rests.
+    store.set(
+      { quaternion: text },
+      { as: `turning by ${by}`, ...(by === "drag" ? { restMs: Number.POSITIVE_INFINITY } : {}) },
+    );
   };
 
   const save = () => {
@@ -98,6 +105,7 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
         describedBy={describedBy}
         onLook={(look) => change({ look })}
         onTurn={onTurn}
+        onTurned={store.step}
       />
       <p class="picture-hint">{words.hands}</p>
       <p class="picture-says" id={describedBy}>

@@ -26,6 +26,7 @@ export function Stage({
   describedBy,
   onLook,
   onTurn,
+  onTurned,
 }: {
   scene: Scene;
   look: Look;
@@ -34,6 +35,8 @@ export function Stage({
   onLook: (look: Look) => void;
   /** A turn of the body about axes that are fixed in the world; nothing where it cannot be turned. */
   onTurn?: ((turn: Quaternion, by: "drag" | "key") => void) | undefined;
+  /** The hand let the body go. */
+  onTurned?: () => void;
 }) {
   const camera = cameraOf(look);
   const held = useRef<
@@ -95,6 +98,7 @@ export function Stage({
         move(from.turns, right * degreesPerUnit, down * degreesPerUnit, "drag");
       }}
       onLostPointerCapture={() => {
+        if (held.current?.turns === "body") onTurned?.();
         held.current = undefined;
       }}
     >

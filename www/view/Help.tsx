@@ -17,6 +17,7 @@ import { Choice } from "./Settings.tsx";
 const everywhere: readonly { name: ShortcutName; keys: readonly string[] }[] = [
   { name: "undo", keys: ["Ctrl+Z"] },
   { name: "redo", keys: ["Ctrl+Shift+Z"] },
+  { name: "mend", keys: ["Alt+Enter"] },
 ];
 
 export function Help() {

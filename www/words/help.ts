@@ -30,11 +30,12 @@ export const shortcutWords: Record<ShortcutName, string> = {
   help: "Open this list",
   undo: "Undo",
   redo: "Redo",
+  mend: "Mend the text of the field as the first button says",
 };
 
 export const orWord = "or";
 export const thenWord = "then";
 
 export const whereTheyAct =
-  "A key alone acts while no text field has the focus. Undo and redo act everywhere.";
+  "A key alone acts while no text field has the focus. Undo, redo and mending act in text fields too.";
 export const remembered = "The theme and this choice are remembered in this browser only.";

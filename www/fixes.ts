@@ -11,7 +11,8 @@ import type {
 import { exact } from "./format.ts";
 import { say } from "./said.ts";
 import { declaredConvention, type Store } from "./state.ts";
-import { lettersOf, operatorOf, symbolOf } from "./view/words.ts";
+import { operatorOf } from "./view/conventions.ts";
+import { lettersOf, symbolOf } from "./words/conventions.ts";
 import { doneWords, fixWords, otherOrder, remedyWords } from "./words/notes.tsx";
 
 export interface Fix {

@@ -7,11 +7,6 @@ import { parseSync } from "vite";
 
 const page = fileURLToPath(new URL("../../www", import.meta.url));
 
-/** Views whose words have not moved yet. */
-const unmoved = [...["Ask", "EulerFact"], ...["Facts", "Page", "Read"]].map(
-  (name) => `view/${name}.tsx`,
-);
-
 /** Letters that are symbols: the product of two units, and the unit of an angle. */
 const symbols = /\b(?:ij|rad)\b/g;
 
@@ -82,19 +77,10 @@ const views = sourcesIn("view");
 
 test("no view has English of its own", () => {
   assert.ok(views.length > 30, `${views.length} files`);
-  const found = views
-    .filter(({ file }) => !unmoved.includes(file))
-    .flatMap(({ file, source }) => englishIn(file, source).map((text) => `${file}: ${text}`));
-  assert.deepEqual(found, []);
-});
-
-test("a view whose words have moved is not excused any more", () => {
-  const excused = views.filter(({ file }) => unmoved.includes(file));
-  assert.deepEqual(
-    excused.filter(({ file, source }) => englishIn(file, source).length === 0).map((it) => it.file),
-    [],
+  const found = views.flatMap(({ file, source }) =>
+    englishIn(file, source).map((text) => `${file}: ${text}`),
   );
-  assert.equal(excused.length, unmoved.length);
+  assert.deepEqual(found, []);
 });
 
 test("English is found wherever it stands, and symbols are none", () => {

@@ -5,13 +5,14 @@ import type { Preset } from "../address.ts";
 import type { Field, Problem } from "../engine.ts";
 import { applyFirst, fixOfProblem, type TextName } from "../fixes.ts";
 import { declaredConvention, type Freshness, type Store } from "../state.ts";
+import * as words from "../words/ask.ts";
+import { symbolOf, wordsOf } from "../words/conventions.ts";
 import { problemWords } from "../words/notes.tsx";
 import { MoreAxes } from "./Axes.tsx";
+import { fiveWords, nameOf } from "./conventions.ts";
 import { MarkedText } from "./MarkedText.tsx";
 import { FixButton } from "./Notes.tsx";
 import { NumberSettings } from "./Settings.tsx";
-import { UndoRedo } from "./UndoRedo.tsx";
-import { fiveWords, nameOf, symbolOf, wordsOf } from "./words.ts";
 
 /** The texts that a view is about. */
 const heroes: readonly Field[] = ["quaternion", "p", "q"];
@@ -21,7 +22,7 @@ export function TextField({
   store,
   field,
   name = field as TextName,
-  label = field === "vector" ? "vector" : "quaternion",
+  label = field === "vector" ? words.vector : words.quaternion,
 }: {
   store: Store;
   /** As the core names it in a problem. */
@@ -72,7 +73,6 @@ export function AskRest({
     <>
       <div class="ask-row">
         <TextField store={store} field="vector" />
-        <UndoRedo store={store} />
         <NumberSettings store={store} />
       </div>
       {examples}
@@ -165,7 +165,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
   const chosen = isPreset ? state.preset : undefined;
   return (
     <fieldset class="switch">
-      <legend class="visually-hidden">The text is meant as</legend>
+      <legend class="visually-hidden">{words.meantAs}</legend>
       {presets.map((preset) => (
         <label key={preset} class={`switch-choice ${preset}`}>
           <input
@@ -182,7 +182,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
       {!isPreset && (
         <label class="switch-choice custom">
           <input type="radio" name="convention" value="custom" checked />
-          <span class="switch-name">Custom</span>
+          <span class="switch-name">{words.custom}</span>
           <span class="switch-meaning">
             {nameOf(convention, store.engine) ?? fiveWords(convention)}
           </span>

@@ -11,6 +11,7 @@ import { nameOf, presetLike, presetOf } from "./conventions.ts";
 import { NamedComponents } from "./Form.tsx";
 import { Notes } from "./Notes.tsx";
 import { Picture } from "./Picture.tsx";
+import { UndoRedo } from "./UndoRedo.tsx";
 import { ComponentStrip, Matrix } from "./Value.tsx";
 
 export function Compose({ store }: { store: Store }) {
@@ -25,6 +26,7 @@ export function Compose({ store }: { store: Store }) {
             <TextField store={store} field="q" />
           </div>
           <ConventionSwitch store={store} />
+          <UndoRedo store={store} />
         </div>
         <AskRest store={store} freshness={shownResult?.freshness}>
           {shownResult && (

@@ -5,6 +5,7 @@ import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
 import { exactArray, fromDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
+import * as words from "../words/facts.ts";
 import { gimbalLockWords, nearLockWords } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
@@ -13,18 +14,12 @@ import { numberGroup } from "./number_group.ts";
 const otherUnit: Record<Unit, Unit> = { degrees: "radians", radians: "degrees" };
 const unitWords: Record<Unit, string> = { degrees: "°", radians: "\u00a0rad" };
 
-const frames: Record<EulerFrame, string> = {
-  intrinsic: "about the moving axes (intrinsic)",
-  extrinsic: "about the fixed axes (extrinsic)",
-};
-
 /** What the angles of the two customary sequences are called; of others, their axes. */
 export function angleNames(sequence: EulerSequence): string[] {
   const name = sequenceName(sequence);
-  if (name === "ZYX") return ["yaw", "pitch", "roll"];
-  if (name === "xyz") return ["roll", "pitch", "yaw"];
-  const [first = "", second = "", third = ""] = sequence.axes;
-  return [`first, ${first}`, `second, ${second}`, `third, ${third}`];
+  if (name === "ZYX") return words.yawPitchRoll;
+  if (name === "xyz") return words.yawPitchRoll.toReversed();
+  return words.ordinals([...sequence.axes]);
 }
 
 export function EulerFact({
@@ -40,24 +35,24 @@ export function EulerFact({
   const anglesIn = { degrees: euler.anglesDeg, radians: euler.anglesRad };
   const other = otherUnit[unit];
   const copied = {
-    degrees: { of: "Euler angles in degrees", text: exactArray(euler.anglesDeg) },
-    radians: { of: "Euler angles in radians", text: exactArray(euler.anglesRad) },
+    degrees: { of: words.eulerCopied(fieldWords.degrees), text: exactArray(euler.anglesDeg) },
+    radians: { of: words.eulerCopied(fieldWords.radians), text: exactArray(euler.anglesRad) },
   };
   const names = angleNames(euler.sequence);
   const group = numberGroup(
     {
       store,
-      id: "Euler angles",
+      id: "euler-angles",
       describe: () => ({ kind: "euler-angles", sequence: euler.sequence, unit }),
     },
     anglesIn[unit],
   );
   return (
     <div class="fact fact-euler">
-      <h2>Euler angles</h2>
+      <h2>{words.eulerAngles}</h2>
       <div class="euler-choice">
         <select
-          aria-label="Euler axes"
+          aria-label={words.eulerAxes}
           value={chosen.axes}
           onChange={(event) =>
             store.set({ euler: { ...chosen, axes: event.currentTarget.value as EulerAxes } })
@@ -70,15 +65,15 @@ export function EulerFact({
           ))}
         </select>
         <select
-          aria-label="Axes of the turns"
+          aria-label={words.eulerFrame}
           value={chosen.frame}
           onChange={(event) =>
             store.set({ euler: { ...chosen, frame: event.currentTarget.value as EulerFrame } })
           }
         >
-          {Object.entries(frames).map(([frame, words]) => (
+          {Object.entries(words.frames).map(([frame, name]) => (
             <option key={frame} value={frame}>
-              {words}
+              {name}
             </option>
           ))}
         </select>

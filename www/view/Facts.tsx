@@ -7,6 +7,7 @@ import { negates } from "../fixes.ts";
 import { exact, exactArray, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
+import * as words from "../words/facts.ts";
 import { otherSign } from "../words/notes.tsx";
 import { Copy } from "./Copy.tsx";
 import { EulerFact } from "./EulerFact.tsx";
@@ -22,19 +23,19 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const { angleDeg, angleRad, axis, rotationVectorRad } = report.turn;
   const angle = { degrees: angleDeg, radians: angleRad };
   const turn = numberGroup(
-    { store, id: "axis and angle", describe: () => ({ kind: "axis-angle", unit }) },
+    { store, id: "axis-and-angle", describe: () => ({ kind: "axis-angle", unit }) },
     [angle[unit], ...(axis ?? anyAxis)],
   );
   const rotationVector = numberGroup(
-    { store, id: "rotation vector", describe: () => ({ kind: "rotation-vector" }) },
+    { store, id: "rotation-vector", describe: () => ({ kind: "rotation-vector" }) },
     rotationVectorRad,
   );
   const values = turnValues(report);
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
-    <section class="facts" aria-label="The turn, in every convention the same">
+    <section class="facts" aria-label={words.facts}>
       <div class="fact">
-        <h2>Axis and angle</h2>
+        <h2>{words.axisAndAngle}</h2>
         <p class="fact-value">
           <span class="numbers">
             <span class="with-unit">
@@ -52,7 +53,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
           </span>
           {axis !== undefined && (
             <Copy
-              of="axis and angle in radians"
+              of={words.axisAndAngleInRadians}
               text={`${exactArray(axis)}, ${exact(angleRad)}`}
               value={values.axisAngle}
             />
@@ -61,12 +62,12 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         <p>
           <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>.{" "}
           <NoteOfTurn notes={report.notes} store={store}>
-            Carries the world axes onto the body axes, right-handed.
+            {words.carries}
           </NoteOfTurn>
         </p>
       </div>
       <div class="fact">
-        <h2>Rotation vector</h2>
+        <h2>{words.rotationVector}</h2>
         <p class="fact-value">
           <span class="numbers">
             <VectorFields
@@ -77,19 +78,19 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
             />
           </span>
           <Copy
-            of="rotation vector"
+            of={words.rotationVectorCopied}
             text={exactArray(rotationVectorRad)}
             value={values.rotationVector}
           />
         </p>
-        <p>Angle times axis, in radians. No convention changes it.</p>
+        <p>{words.rotationVectorNote}</p>
       </div>
       <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
         <h2>{otherSign.heading}</h2>
         <p class="fact-value">
           <code>{shownArray(opposite, digits)}</code>
-          <Copy of="minus q" text={exactArray(opposite)} value={values.opposite} />
+          <Copy of={words.oppositeCopied} text={exactArray(opposite)} value={values.opposite} />
         </p>
         <p>
           {otherSign.words}

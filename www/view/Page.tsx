@@ -1,26 +1,21 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-import { type Digits, toFragment, type Unit, type View } from "../address.ts";
+import { useEffect, useState } from "preact/hooks";
+import { type Digits, toFragment, type Unit, type View, views } from "../address.ts";
 import { shown, shownAngle, shownAxis } from "../format.ts";
 import { isLazy, load, loadingOf } from "../lazy_views.ts";
 import { saidOf } from "../said.ts";
 import type { Store } from "../state.ts";
+import { symbolOf } from "../words/conventions.ts";
+import * as words from "../words/page.tsx";
 import { Compose } from "./Compose.tsx";
+import { nameOf } from "./conventions.ts";
 import { Lazy } from "./Lazy.tsx";
 import { Overlay } from "./Overlay.tsx";
 import { Read } from "./Read.tsx";
 import { Tools } from "./Settings.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
 import { namesInOrder } from "./Value.tsx";
-import { nameOf, symbolOf } from "./words.ts";
-
-const views: { view: View; name: string }[] = [
-  { view: "read", name: "Read" },
-  { view: "compose", name: "Compose" },
-  { view: "translate", name: "Translate" },
-  { view: "identify", name: "Identify" },
-  { view: "libraries", name: "Libraries" },
-];
 
 /** The views of the first load. */
 const firstViews = { read: Read, compose: Compose };
@@ -31,10 +26,10 @@ export function Page({ store }: { store: Store }) {
   return (
     <>
       <header class="masthead">
-        <h1 class="wordmark">quatlas</h1>
-        <p class="tagline">One rotation, every convention.</p>
-        <nav class="views" aria-label="Views">
-          {views.map(({ view, name }) => (
+        <h1 class="wordmark">{words.name}</h1>
+        <p class="tagline">{words.tagline}</p>
+        <nav class="views" aria-label={words.views}>
+          {views.map((view) => (
             <a
               key={view}
               href={`#${toFragment({ ...state, view })}`}
@@ -42,7 +37,7 @@ export function Page({ store }: { store: Store }) {
               // A pointer on the way to a view has a moment in which it can be loaded.
               onPointerEnter={() => isLazy(view) && load(view, store)}
             >
-              {name}
+              {words.viewNames[view]}
             </a>
           ))}
         </nav>
@@ -53,42 +48,50 @@ export function Page({ store }: { store: Store }) {
         <NewerLink store={store} />
         {failure !== undefined && (
           <p class="failure" role="alert">
-            The core stopped on this input, which is a mistake in quatlas, not in your text:{" "}
-            <code>{failure}</code>. The last good result stays below; go on with another text, or
-            reload the page.
+            {words.failure(failure)}
           </p>
         )}
-        {views.map(
-          ({ view, name }) =>
-            view === state.view && <Shown key={view} view={view} name={name} store={store} />,
-        )}
+        <Shown key={state.view} view={state.view} store={store} />
       </main>
       <footer class="colophon">
         <p>
-          Computed in your browser; nothing you type is sent anywhere. The address of the page holds
-          what you typed: share it as a link. <Version />
+          {words.colophon} <Version />
         </p>
       </footer>
-      <p class="visually-hidden" role="status" aria-live="polite">
-        {[saidOf(state), spoken(store)].join(" ").trim()}
-      </p>
+      <Status words={[saidOf(state), spoken(store)].join(" ").trim()} />
       <Overlay store={store} />
     </>
   );
 }
 
-function Shown({ view, name, store }: { view: View; name: string; store: Store }): VNode {
-  if (isLazy(view)) return <Lazy view={view} name={name} store={store} />;
+function Shown({ view, store }: { view: View; store: Store }): VNode {
+  if (isLazy(view)) return <Lazy view={view} name={words.viewNames[view]} store={store} />;
   const First = firstViews[view];
   return <First store={store} />;
+}
+
+/** So long nothing changes before it is said: whoever types or turns hears the end of it once. */
+const restMs = 500;
+
+/** What a screen reader hears, once it rests. */
+function Status({ words: now }: { words: string }) {
+  const [said, setSaid] = useState(now);
+  useEffect(() => {
+    const timer = setTimeout(() => setSaid(now), restMs);
+    return () => clearTimeout(timer);
+  }, [now]);
+  return (
+    <p class="visually-hidden" role="status" aria-live="polite">
+      {said}
+    </p>
+  );
 }
 
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
   const { view, digits, unit } = store.state.value;
-  const problems = store.problems.value.map(
-    ({ field, message, expected, hint }) =>
-      `Problem in ${symbolOf[field]}: ${message}. Expected ${expected}. Try ${hint}.`,
+  const problems = store.problems.value.map((problem) =>
+    words.spokenProblem(symbolOf[problem.field], problem),
   );
   if (problems.length > 0) return problems.join(" ");
   switch (view) {
@@ -110,14 +113,14 @@ function spokenProduct(store: Store, digits: Digits): string {
   const numbers = namesInOrder(convention).map(
     (name) => `${name} ${shown(quaternion[name], digits)}`,
   );
-  const name = nameOf(convention, store.engine) ?? "your convention";
-  return `Result: p times q in ${name}: ${numbers.join(", ")}.`;
+  const name = nameOf(convention, store.engine) ?? words.yourConvention;
+  return words.spokenProduct(name, numbers);
 }
 
 function spokenTurn(store: Store, digits: Digits, unit: Unit): string {
   const turn = store.read.value?.report.turn;
   if (turn === undefined) return "";
-  if (turn.axis === undefined) return "Result: no turn.";
+  if (turn.axis === undefined) return words.spokenNoTurn;
   const angle = { degrees: turn.angleDeg, radians: turn.angleRad };
-  return `Result: a turn by ${shownAngle(angle, digits, unit)} about ${shownAxis(turn.axis, digits)}.`;
+  return words.spokenTurn(shownAngle(angle, digits, unit), shownAxis(turn.axis, digits));
 }

@@ -5,9 +5,11 @@ import type { ReadReport } from "../engine.ts";
 import { type FeaturedName, featured, stateOf } from "../examples.ts";
 import { shown, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
+import * as words from "../words/ask.ts";
 import { examplesLabel, featuredNames, moreExamples } from "../words/examples.ts";
 import { AskRest, ConventionSwitch, TextField } from "./Ask.tsx";
 import { ConventionColumn } from "./Column.tsx";
+import { presetLike } from "./conventions.ts";
 import { DeclaredCard } from "./Declared.tsx";
 import { Facts } from "./Facts.tsx";
 import { NamedComponents } from "./Form.tsx";
@@ -15,17 +17,18 @@ import { Notes } from "./Notes.tsx";
 import { showOverlay } from "./Overlay.tsx";
 import { Picture } from "./Picture.tsx";
 import { Relation } from "./Relation.tsx";
-import { presetLike } from "./words.ts";
+import { UndoRedo } from "./UndoRedo.tsx";
 
 export function Read({ store }: { store: Store }) {
   const shownResult = store.read.value;
   return (
     <>
       <div class="ask-and-picture">
-        <section class="ask" aria-label="Input">
+        <section class="ask" aria-label={words.input}>
           <div class="ask-row">
             <TextField store={store} field="quaternion" />
             <ConventionSwitch store={store} />
+            <UndoRedo store={store} />
           </div>
           <AskRest
             store={store}
@@ -72,10 +75,11 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
   return (
     <div class="read-as">
       <p>
-        Read as <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
+        {words.readAs}{" "}
+        <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
         {report.quaternion.form.kind === "quaternion" && report.quaternion.norm !== undefined && (
           <span class="read-as-part">
-            norm <code>{shown(report.quaternion.norm, digits)}</code>
+            {words.norm} <code>{shown(report.quaternion.norm, digits)}</code>
           </span>
         )}
         <span class="read-as-part">

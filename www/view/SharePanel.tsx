@@ -8,8 +8,8 @@ import type { Store } from "../state.ts";
 import { citeWords, panelWords as words } from "../words/share.ts";
 import { Popup } from "./Popup.tsx";
 import "./share_panel.css";
+import { nameOf } from "./conventions.ts";
 import { say } from "./say.ts";
-import { nameOf } from "./words.ts";
 
 export interface PanelProps {
   store: Store;

@@ -44,5 +44,4 @@ export const fieldWords = {
   degrees: "degrees",
   radians: "radians",
   about: "about",
-  everyAxis: "No turn: every axis gives the same.",
 } as const;

@@ -268,24 +268,27 @@ fn added_sign(problem: &Problem, text: &str) -> Vec<String> {
     vec![format!("{before} + {after}")]
 }
 
-/// The numbers of a text of twelve or sixteen: the three by three on the left of the first three rows.
+/// The numbers of a text of twelve or sixteen: the three by three on the left of the first three rows,
+/// as they are written.
 fn rotation_part(_: &Problem, text: &str) -> Vec<String> {
     let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
-    let numbers: Option<Vec<f64>> = text
+    let parts: Vec<_> = text
         .split(separators)
         .filter(|part| !part.is_empty())
-        .map(|part| part.parse().ok())
         .collect();
-    let Some(numbers) = numbers else {
-        return Vec::new();
+    let is_zero = |part: &str| part.contains('0') && part.trim_matches(['0', '.', '-']).is_empty();
+    let is_one = |part: &str| part.trim_end_matches('0').trim_end_matches('.') == "1";
+    let is_homogeneous = match parts.as_slice() {
+        [.., a, b, c, d] if parts.len() == 16 => {
+            [a, b, c].iter().all(|part| is_zero(part)) && is_one(d)
+        }
+        _ => parts.len() == 12,
     };
-    let is_homogeneous =
-        numbers.len() == 12 || (numbers.len() == 16 && numbers[12..] == [0.0, 0.0, 0.0, 1.0]);
     if !is_homogeneous {
         return Vec::new();
     }
-    let rows = [0, 4, 8].map(|at| [numbers[at], numbers[at + 1], numbers[at + 2]]);
-    vec![rows_text(&rows)]
+    let rows = [0, 4, 8].map(|at| parts[at..at + 3].join(" "));
+    vec![rows.join("\n")]
 }
 
 /// Only what is missing can be added: a name that stands there would stand there twice. The scalar is
@@ -363,9 +366,20 @@ pub(crate) fn rows_text(rows: &[[f64; 3]; 3]) -> String {
 }
 
 fn exact(number: f64) -> String {
-    let text = format!("{:?}", crate::report::plain(number));
+    // Adding 0 makes a zero of a negative one.
+    let text = shortest(number + 0.0);
     match text.strip_suffix(".0") {
         Some(whole) => whole.to_owned(),
         None => text,
     }
 }
+
+/// The shortest decimal number that reads back as the same double.
+#[cfg(not(target_arch = "wasm32"))]
+fn shortest(number: f64) -> String {
+    format!("{number:?}")
+}
+
+// The same from JavaScript, which spares the wasm tables of 15 kB.
+#[cfg(target_arch = "wasm32")]
+use crate::wasm::shortest;

@@ -124,6 +124,13 @@ pub(crate) fn nearest_double(decimal: &str) -> f64 {
     js_sys::parse_float(decimal)
 }
 
+/// The shortest decimal number that reads back as the same double.
+pub(crate) fn shortest(number: f64) -> String {
+    js_sys::Number::from(number)
+        .to_string_with_radix(10)
+        .map_or_else(|_| String::new(), String::from)
+}
+
 /// The named conventions, Hamilton and JPL.
 #[wasm_bindgen(unchecked_return_type = "Presets")]
 pub fn presets() -> Result<JsValue, TypeError> {

@@ -33,7 +33,7 @@ test("angles are shown in degrees or radians, as exactly as they are known", () 
 
 test("the address holds the unit, and no other word is one", () => {
   const radians = { ...opening, unit: "radians" } as const;
-  expect(toFragment(radians)).toBe("read?unit=rad");
+  expect(toFragment(radians)).toBe("read?v=1&unit=rad");
   expect(fromFragment("read?unit=rad")).toEqual(radians);
   for (const other of ["deg", "radians", "__proto__", ""]) {
     expect(fromFragment(`read?unit=${other}`)).toEqual(opening);
@@ -174,6 +174,7 @@ test("every key of the list does what the list says", async ({ page, context }) 
     await key(String(at + 1));
     const link = page.getByRole("link", { name: view, exact: true });
     await expect(link).toHaveAttribute("aria-current", "page");
+    await expect(page.locator("main textarea, main input[type=search]").first()).toBeVisible();
     await key("/");
     await expect(page.locator("textarea:focus, input[type=search]:focus")).toBeVisible();
     await page.evaluate(() => (document.activeElement as HTMLElement).blur());

@@ -287,7 +287,7 @@ test("the arrow keys step a number", async ({ page }) => {
 
 test("the axis of no turn can still be given an angle", async ({ page }) => {
   await openNoTurn(page);
-  await expect(page.getByText("No turn: every axis gives the same.")).toBeVisible();
+  await expect(page.getByText("This is no turn at all.")).toBeVisible();
   const angle = field(page, "angle in degrees");
   await angle.focus();
   await page.keyboard.press("ArrowUp");

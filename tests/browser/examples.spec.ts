@@ -73,7 +73,7 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
     await expect(facts(page)).toContainText("yaw − roll = 20° is determined");
   },
   "half-turn": async (page) => {
-    await expect(notes(page)).toContainText("the matrix is its own transpose");
+    await expect(page.locator(".note-beside")).toContainText("the matrix is its own transpose");
     expect(await numbersOf(matrix(page, "R(q)"))).toEqual(await numbersOf(matrix(page, "C(q)")));
   },
   "invisible-order": async (page) => {

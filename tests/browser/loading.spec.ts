@@ -4,19 +4,41 @@ import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 158_000;
+const firstBudget = 188_500;
 const lazyBudgets: Record<string, number> = {
-  "Identify.js": 8_840,
-  "Identify.css": 2_310,
-  "Libraries.js": 3_870,
-  "Translate.js": 8_340,
+  "ComposePicture.js": 1_510,
+  "CopyMenu.css": 450,
+  "CopyMenu.js": 870,
+  "Gallery.js": 2_170,
+  "Help.js": 900,
+  "Identify.css": 2_350,
+  "Identify.js": 9_220,
+  "Libraries.js": 4_170,
+  "Popup.css": 180,
+  "Popup.js": 780,
+  "ReadPicture.js": 2_140,
+  "SharePanel.css": 350,
+  "SharePanel.js": 1_830,
+  "Translate.js": 9_050,
+  "apple_touch_icon.png": 3_140,
+  "code.js": 3_620,
+  "favicon.svg": 330,
+  "icon_192.png": 5_510,
+  "icon_512.png": 15_040,
+  "icon_maskable_512.png": 7_920,
   "libraries.css": 1_230,
-  "library_search.js": 410,
+  "library_search.js": 470,
+  "manifest.webmanifest": 400,
   "observations.js": 21_670,
-  "quatlas.js": 3_310,
-  "quatlas_bg.wasm": 265_410,
-  "translate.js": 1_610,
+  "offline.css": 420,
+  "offline.js": 610,
+  "phrases.js": 220,
+  "quatlas.js": 3_330,
+  "quatlas_bg.wasm": 273_300,
+  "save.js": 4_900,
+  "service_worker.js": 3_880,
   "translate.css": 1_820,
+  "translate.js": 1_600,
 };
 
 test("the first load is within its budget", () => {
@@ -43,11 +65,20 @@ function requested(page: Page): string[] {
   return files;
 }
 
-test("a bare address loads only the first load", async ({ page }) => {
+/** What follows the first result by itself: the picture, and what keeps the page for offline use. */
+const afterResult = [
+  ...["ReadPicture.js", "ComposePicture.js", "save.js"],
+  ...["offline.js", "offline.css", "favicon.svg"],
+];
+
+test("a bare address loads only the first load, and after the result the picture", async ({
+  page,
+}) => {
   const files = requested(page);
   await page.goto("./", { waitUntil: "networkidle" });
-  const { first, fonts } = partsOfPage();
-  const known = [...first, ...fonts].map(({ file }) => file);
+  const { first, fonts, lazy } = partsOfPage();
+  const followers = lazy.filter(({ name }) => afterResult.includes(name));
+  const known = [...first, ...fonts, ...followers].map(({ file }) => file);
   expect(files.filter((file) => !known.includes(file))).toEqual([]);
   await page.getByRole("link", { name: "Compose" }).click();
   await expect(matrix(page, "R(p ⊙ q)")).toBeVisible();
@@ -86,7 +117,7 @@ for (const width of [1280, 390]) {
     await quaternionField(page).focus();
     await page.keyboard.press("ControlOrMeta+a");
     for (const key of "0.92 + 0.38k") await page.keyboard.press(key === " " ? "Space" : key);
-    await expect(page.getByText("Read as")).toContainText("0.38");
+    await expect(page.locator(".read-as p").first()).toContainText("0.38");
     expect(await page.evaluate(cumulativeShift)).toBe(0);
   });
 }

@@ -45,7 +45,7 @@ export const quaternionField = (page: Page) => page.getByRole("textbox", { name:
 
 /** Tabs from the start of the page until the element has the focus. */
 export async function tabTo(page: Page, element: Locator) {
-  for (let presses = 0; presses < 100; presses += 1) {
+  for (let presses = 0; presses < 300; presses += 1) {
     if (await element.evaluate((node) => node === document.activeElement)) return;
     await page.keyboard.press("Tab");
   }

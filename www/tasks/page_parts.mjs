@@ -11,7 +11,8 @@ const font = /\.woff2$/;
 /** What a bare address loads before it is idle, what may follow, and the fonts, which do not compress. */
 export function partsOfPage() {
   const html = readFileSync(join(folder, "index.html"), "utf8");
-  const isFirst = (file) => smallCore.test(file) || html.includes(`./assets/${file}"`);
+  const isFirst = (file) =>
+    smallCore.test(file) || html.includes(`./assets/${file}"`) || html.includes(`src="./${file}"`);
   const files = readdirSync(join(folder, "assets")).map((file) => ({
     ...part(join("assets", file), nameOf(file)),
     file,

@@ -60,7 +60,7 @@ export function CopyMenu({ of, text, value, chosen, anchor, copy, close }: MenuP
             role="menuitemradio"
             aria-checked={id === chosen}
             aria-label={formatNames[id]}
-            tabIndex={-1}
+            tabIndex={id === chosen ? 0 : -1}
             onClick={() => choose(id)}
           >
             <span class="copy-format">{formatNames[id]}</span>

@@ -5,6 +5,9 @@ mod common;
 use common::{assert_close, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
 
+/// What is copied, the matrix that nalgebra makes of it, and the one that is expected.
+type Case = (&'static str, Matrix3<f64>, [[f64; 3]; 3]);
+
 #[wasm_bindgen_test(unsupported = test)]
 #[allow(
     clippy::approx_constant,
@@ -15,7 +18,7 @@ use quatlas::nalgebra::{Matrix3, Quaternion, Unit, UnitQuaternion, Vector3};
 )]
 fn nalgebra_makes_the_rotation_of_the_page() {
     // Written by tests/browser/copied_texts.spec.ts, which compares it with what is copied.
-    let copied: [(&str, Matrix3<f64>, [[f64; 3]; 3]); 17] = include!("vectors/copied_nalgebra.rs");
+    let copied: [Case; 17] = include!("vectors/copied_nalgebra.rs");
     for (value, matrix, rows) in copied {
         assert_close(
             value,

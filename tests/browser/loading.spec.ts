@@ -6,9 +6,9 @@ import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 188_500;
 const lazyBudgets: Record<string, number> = {
-  "ComposePicture.js": 1_510,
+  "ComposePicture.js": 1_520,
   "CopyMenu.css": 450,
-  "CopyMenu.js": 870,
+  "CopyMenu.js": 860,
   "Gallery.js": 2_170,
   "Help.js": 900,
   "Identify.css": 2_350,
@@ -35,8 +35,8 @@ const lazyBudgets: Record<string, number> = {
   "phrases.js": 220,
   "quatlas.js": 3_330,
   "quatlas_bg.wasm": 273_300,
-  "save.js": 4_900,
-  "service_worker.js": 3_880,
+  "save.js": 4_890,
+  "service_worker.js": 3_870,
   "translate.css": 1_820,
   "translate.js": 1_600,
 };

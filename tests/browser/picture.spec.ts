@@ -241,7 +241,7 @@ test("compose: step by step about fixed and about moving axes, to one pose", asy
     /p: 90° about z of the body\. q: 90° about x of the body/,
   );
   expect(await body(fixed)).toEqual(await body(moving));
-  await page.getByRole("radio", { name: "After the first turn" }).focus();
+  await page.getByRole("radio", { name: "First turn" }).focus();
   await page.keyboard.press("Space");
   await expect(fixed).toHaveAccessibleDescription(/^q: 90° about x of the world\. Drag/);
   await expect(moving).toHaveAccessibleDescription(/^p: 90° about z of the body\. Drag/);
@@ -250,7 +250,7 @@ test("compose: step by step about fixed and about moving axes, to one pose", asy
   await expect(fixed).toHaveAccessibleDescription(/^The body stands on the world axes/);
   expect(await body(fixed)).toEqual(await body(moving));
   await page.getByRole("button", { name: "Play" }).press("Enter");
-  await expect(page.getByRole("radio", { name: "After both" })).toBeChecked();
+  await expect(page.getByRole("radio", { name: "Both turns" })).toBeChecked();
   // JPL p ⊗ q: first p about fixed axes.
   await page.getByRole("radio", { name: /^JPL/ }).check();
   await expect(fixed).toHaveAccessibleDescription(

@@ -12,9 +12,9 @@ export const firstLook: Look = { azimuthDeg: 30, elevationDeg: 22 };
 /** How far the eye is from the origin, in units of space. */
 const eyeDistance = 7;
 /** Where one unit at the origin has its true size, in units of paper. */
-const scale = 94;
+const scale = 86;
 export const paper = { width: 360, height: 300 };
-const centre = { across: paper.width / 2, down: paper.height / 2 + 9 };
+const centre = { across: paper.width / 2, down: paper.height / 2 + 10 };
 /** Straight from above, right and up would be unknown. */
 const steepest = 89;
 

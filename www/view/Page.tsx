@@ -41,8 +41,9 @@ export function Page({ store }: { store: Store }) {
             </a>
           ))}
         </nav>
-        <Share store={store} />
-        <Tools />
+        <Tools>
+          <Share store={store} />
+        </Tools>
       </header>
       <main>
         <NewerLink store={store} />

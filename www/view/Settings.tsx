@@ -1,4 +1,5 @@
 // What each visitor chooses for himself: decimals, the unit of angles, the theme.
+import type { ComponentChildren } from "preact";
 import { digitChoices, unitChoices } from "../address.ts";
 import {
   chooseDigits,
@@ -89,10 +90,11 @@ export function NumberSettings({ store }: { store: Store }) {
 }
 
 /** The tools beside the views: the theme, and the list of keys. */
-export function Tools() {
+export function Tools({ children }: { children: ComponentChildren }) {
   const themeName = isNow(themeLabel, themeWords[theme.value]);
   return (
     <div class="tools">
+      {children}
       <button type="button" class="tool" title={themeName} onClick={() => chooseTheme(nextTheme())}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
           <path d={themePaths[theme.value]} />

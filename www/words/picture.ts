@@ -65,7 +65,7 @@ export function samePoseWords(other: string, direction: string): string {
 export const stepWords = {
   name: "Step by step",
   lead: "The same two turns of the body, about axes that stay and about axes that go along.",
-  steps: ["Start", "After the first turn", "After both"],
+  steps: ["Start", "First turn", "Both turns"],
   play: "Play",
   about: {
     fixed: (first: string, then: string) => `About fixed axes: first ${first}, then ${then}`,

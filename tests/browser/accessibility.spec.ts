@@ -1,0 +1,145 @@
+// What those meet who do not see the page, or enlarge it: its tree of names and roles, what is said
+// aloud and how often, and whether everything fits.
+import type { Page } from "@playwright/test";
+import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support.ts";
+
+const views = ["read", "compose", "translate", "identify", "libraries"] as const;
+
+async function open(page: Page, address: string) {
+  await page.goto(`/#${address}`);
+  await expect(page.locator("main .loading")).toHaveCount(0);
+  await expect(page.locator("main").first()).not.toBeEmpty();
+}
+
+test("the tree of the Read view has a name and a role for everything", async ({ page }) => {
+  await open(page, "read");
+  await expect(page.getByRole("application")).toBeVisible();
+  await expect(page.locator("body")).toMatchAriaSnapshot(`
+    - banner:
+      - heading "quatlas" [level=1]
+      - navigation "Views":
+        - link "Read"
+        - link "Compose"
+        - link "Translate"
+        - link "Identify"
+        - link "Libraries"
+      - button "Share"
+    - main:
+      - region "Input":
+        - textbox "quaternion q": cos(pi/8) + sin(pi/8) k
+        - group "The text is meant as":
+          - radio /Hamilton/ [checked]
+          - radio /JPL/
+        - button "Undo" [disabled]
+        - button "Redo" [disabled]
+        - textbox "vector x"
+        - group "Angles"
+        - group "Decimals"
+        - list "Examples"
+      - region "Picture":
+        - group "What moves":
+          - radio /Passive/ [checked]
+          - radio /Active/
+        - application "Picture of the turn"
+        - checkbox "Also read as JPL, body → world"
+        - button "Save SVG"
+      - region "Hamilton":
+        - heading "Hamilton" [level=2]
+        - definition:
+          - textbox "Hamilton q, w": "0.923880"
+        - button "Copy Hamilton q"
+        - figure:
+          - button "Copy R(q)"
+          - region "R(q), row by row":
+            - table "R(q)":
+              - rowgroup:
+                - row "0.707107 −0.707107 0":
+                  - cell "0.707107":
+                    - textbox "R(q), row 1, column 1": "0.707107"
+      - region "JPL":
+        - heading "JPL" [level=2]
+        - definition:
+          - textbox "JPL q, x": "0"
+      - region "The turn, in every convention the same":
+        - heading "Axis and angle" [level=2]
+        - heading "Rotation vector" [level=2]
+        - heading "Euler angles" [level=2]
+        - combobox "Euler axes"
+        - definition:
+          - textbox "yaw in degrees": "45.000000"
+        - heading "The other sign" [level=2]
+    - contentinfo
+    - status: /Result. a turn by 45\\.0+° about z/
+  `);
+});
+
+for (const view of views) {
+  test(`everything that can be used in ${view} has a name`, async ({ page }) => {
+    await open(page, view);
+    await openEverything(page);
+    const nameless = await page.evaluate(() => {
+      const named = (element: Element) =>
+        element.getAttribute("aria-label")?.trim() ||
+        element.getAttribute("aria-labelledby") ||
+        (element as HTMLInputElement).labels?.[0]?.textContent?.trim() ||
+        (element.matches("button, a, summary") && element.textContent?.trim()) ||
+        element.querySelector("title");
+      const usable =
+        "a[href], button, input, select, textarea, summary, [tabindex='0'], [role=application]";
+      return [...document.querySelectorAll(usable)]
+        .filter((element) => !named(element))
+        .map((element) => element.outerHTML.slice(0, 120));
+    });
+    expect(nameless).toEqual([]);
+  });
+}
+
+/** Counts what the live region says from now on. */
+async function listen(page: Page) {
+  await page.evaluate(() => {
+    const said: string[] = [];
+    Object.assign(globalThis, { said });
+    const region = document.querySelector("[role=status]");
+    new MutationObserver(() => said.push(region?.textContent ?? "")).observe(region as Element, {
+      characterData: true,
+      childList: true,
+      subtree: true,
+    });
+  });
+  return () => page.evaluate(() => (globalThis as unknown as { said: string[] }).said);
+}
+
+test("a result is said once, when the typing rests", async ({ page }) => {
+  await open(page, "read");
+  const said = await listen(page);
+  await quaternionField(page).focus();
+  await page.keyboard.press("ControlOrMeta+a");
+  // Faster than the region waits, as one types.
+  await page.keyboard.type("90deg about [1, 0, 0]", { delay: 5 });
+  await expect(page.getByRole("status")).toHaveText(/a turn by 90.* about x/);
+  expect(await said()).toHaveLength(1);
+});
+
+test("turning the body is said once, when it rests", async ({ page }) => {
+  await open(page, "read?quaternion=1+0+0+0&look=0,0");
+  const said = await listen(page);
+  await page.getByRole("application").focus();
+  for (let presses = 0; presses < 6; presses += 1) await page.keyboard.press("Shift+ArrowRight");
+  await expect(page.getByRole("status")).toHaveText(/a turn by (?:30\.00|29\.99)\d*° about z/);
+  expect((await said()).length).toBeLessThanOrEqual(2);
+});
+
+for (const view of views) {
+  test(`${view} fits 360 px, and 1280 px at 200 %, with all digits and everything open`, async ({
+    page,
+  }) => {
+    for (const width of [360, 640]) {
+      await page.setViewportSize({ width, height: 800 });
+      for (const address of [view, `${view}?digits=all&unit=rad`]) {
+        await open(page, address);
+        await openEverything(page);
+        expect(await sidewaysScroll(page), `${address} at ${width} px`).toBeLessThanOrEqual(0);
+      }
+    }
+  });
+}

@@ -99,6 +99,37 @@ function watchKeys() {
   });
 }
 
+/**
+ * Milliseconds of script of every move of a drag, until picture and numbers are in the document: of the
+ * body, which writes the quaternion, and beside it, which looks round. A frame of 60 in a second has 16.7.
+ */
+async function drags(part) {
+  const page = await open("read");
+  const stage = page.locator(".stage");
+  await stage.waitFor();
+  const { x, y, width, height } = await stage.boundingBox();
+  const [left, top] = part === "body" ? [width / 2 + 4, height / 2 + 10] : [20, 20];
+  await page.mouse.move(x + left, y + top);
+  await page.mouse.down();
+  await page.evaluate(() => {
+    globalThis.moves = [];
+    let began = 0;
+    const start = () => {
+      began = performance.now();
+    };
+    addEventListener("pointermove", start, true);
+    addEventListener("pointermove", () => globalThis.moves.push(performance.now() - began));
+  });
+  for (let run = 1; run <= runs; run += 1) {
+    await page.mouse.move(x + left + 3 * run, y + top + 2 * run);
+    await page.evaluate(() => new Promise((painted) => requestAnimationFrame(painted)));
+  }
+  await page.mouse.up();
+  const moves = await page.evaluate(() => globalThis.moves);
+  await page.context().close();
+  return moves;
+}
+
 /** Median, least and most. */
 function spread(numbers) {
   const sorted = numbers.toSorted((a, b) => a - b);
@@ -118,6 +149,9 @@ for (const what of typed) {
   times[`${what.view}: key to changed document`] = spread(keys.map(({ script }) => script));
   times[`${what.view}: key to painted`] = spread(keys.map(({ painted }) => painted));
   shifts[what.view] = { "cumulative layout shift": Number(shift.toFixed(4)) };
+}
+for (const part of ["body", "view"]) {
+  times[`read: move of a drag of the ${part}`] = spread(await drags(part));
 }
 await browser.close();
 await server.close();

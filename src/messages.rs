@@ -74,10 +74,26 @@ impl Fault {
     }
 
     pub(crate) fn unexpected_character(span: Span, character: char) -> Self {
+        if character == '?' {
+            return Self::new(
+                ProblemCode::UnexpectedCharacter,
+                span,
+                "a number is missing where the ? stands",
+                "a number, such as 0.5, 1/√2 or 45deg",
+                "write it in place of the ?",
+            );
+        }
+        // What is not seen, or turns the writing round, has a name instead.
+        let is_visible = !character.is_control() && !is_format_character(character);
+        let shown = if is_visible {
+            character.to_string()
+        } else {
+            format!("U+{:04X}", u32::from(character))
+        };
         Self::new(
             ProblemCode::UnexpectedCharacter,
             span,
-            format!("the character {character} has no meaning here"),
+            format!("the character {shown} has no meaning here"),
             "digits, names, brackets and the signs + - * / √ , : =",
             "remove it",
         )
@@ -379,4 +395,13 @@ impl Fault {
             "write the components, or put the two factors into the Compose view",
         )
     }
+}
+
+/// Characters without a shape: marks of direction, joiners, spaces of no width, language tags.
+const fn is_format_character(character: char) -> bool {
+    matches!(
+        character,
+        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
+            | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}'
+    )
 }

@@ -157,6 +157,14 @@ const unitNames: Record<Unit, string> = { degrees: "deg", radians: "rad" };
 /** Marks that an address may hold as they are. */
 const plainMarks = /%(?:3A|3B|2C|7E)/g;
 
+const version = `${versionParameter}=${addressVersion}`;
+
+/** The fragment of a state for others, which says its version even where all is as at the opening. */
+export function versionedFragment(state: PageState): string {
+  const fragment = toFragment(state);
+  return fragment.includes("?") ? fragment : `${fragment}?${version}`;
+}
+
 /** The fragment of a state, without `#`. What is as at the opening is left out. */
 export function toFragment(state: PageState): string {
   const parameters = new URLSearchParams();
@@ -185,7 +193,7 @@ export function toFragment(state: PageState): string {
   if (state.language !== opening.language) parameters.set("language", state.language);
   if (state.unavailable.length > 0) parameters.set("unavailable", state.unavailable.join(","));
   const query = parameters.toString().replace(plainMarks, decodeURIComponent);
-  return query === "" ? state.view : `${state.view}?${versionParameter}=${addressVersion}&${query}`;
+  return query === "" ? state.view : `${state.view}?${version}&${query}`;
 }
 
 /** The observations as parameters; none where they are those of the opening, an empty one for none. */

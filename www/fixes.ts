@@ -93,8 +93,8 @@ export function fixesOfNote(store: Store, { field, fact }: Note): Fix[] {
     case "angle-unit-assumed": {
       const degrees = writesText(fixWords.degrees, fact.inDegrees);
       const radians = writesText(fixWords.radians, fact.inRadians);
-      // First what is not the case yet.
-      return fact.unit === "degrees" ? [...radians, ...degrees] : [...degrees, ...radians];
+      // Degrees are what is meant nearly always: where they were taken, and where they were not.
+      return [...degrees, ...radians];
     }
     case "rows-assumed":
       return [writes(fixWords.columns, ({ quaternion: { form } }) => transposedRows(form))];
@@ -138,9 +138,10 @@ export function keyFix(store: Store, field: Field): Fix | undefined {
 }
 
 /** What the key does in a field. */
-export function applyFirst(store: Store, field: Field) {
+export function applyFirst(store: Store, field: Field): boolean {
   const fix = keyFix(store, field);
   if (fix !== undefined) apply(store, fix);
+  return fix !== undefined;
 }
 
 export function apply(store: Store, fix: Fix) {

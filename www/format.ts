@@ -14,7 +14,7 @@ const roundingNoise = 1e-14;
  * `largest` is the largest size among the numbers that stand beside it.
  */
 export function shown(number: number, digits: Digits, largest = 0): string {
-  return written(number, digits, largest).replaceAll("-", minus);
+  return written(number, digits, largest).replace("e+", "e").replaceAll("-", minus);
 }
 
 function written(number: number, digits: Digits, largest: number): string {
@@ -107,6 +107,9 @@ export interface Angle {
 
 /** What a conversion can lose is not shown. */
 const convertedDigits = 15;
+
+/** Degrees without the digits that their making from radians cannot tell: 45, not 45.00000000000001. */
+export const inDegrees = (degrees: number) => Number(degrees.toPrecision(convertedDigits));
 
 export function fromDegrees(degrees: number): Angle {
   return { degrees, radians: Number(((degrees * Math.PI) / 180).toPrecision(convertedDigits)) };

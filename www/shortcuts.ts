@@ -1,9 +1,11 @@
 // The keys that do something by themselves. Help lists this table, so it is always true.
+
 import { signal } from "@preact/signals";
 import { digitChoices, type Preset, unitChoices, type View, views } from "./address.ts";
 import { chooseDigits, chooseTheme, chooseUnit, nextTheme, shortcuts } from "./settings.ts";
 import type { Store } from "./state.ts";
 import { showOverlay } from "./view/Overlay.tsx";
+import { viewNames } from "./words/page.tsx";
 import {
   anglesLabel,
   decimalsLabel,
@@ -35,7 +37,10 @@ const goTo = (view: View, at: number): Shortcut => ({
   name: view,
   keys: [`g ${view.charAt(0)}`, String(at + 1)],
   // As the link does it, so that going back returns.
-  act: () => press(`.views a[href^="#${view}"]`),
+  act: () => {
+    press(`.views a[href^="#${view}"]`);
+    return viewNames[view];
+  },
 });
 
 const declare = (preset: Preset, key: string): Shortcut => ({

@@ -15,6 +15,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
   await open(page, "read");
   await expect(page.getByRole("application")).toBeVisible();
   await expect(page.locator("body")).toMatchAriaSnapshot(`
+    - button "Go to the result"
     - banner:
       - heading "quatlas" [level=1]
       - navigation "Views":
@@ -143,3 +144,19 @@ for (const view of views) {
     }
   });
 }
+
+test("the first stop of the Tab key leads past the fields to the result", async ({ page }) => {
+  await open(page, "read");
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("button", { name: "Go to the result" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("textbox", { name: "Hamilton q, w" })).toBeFocused();
+});
+
+test("every view has a title of its own", async ({ page }) => {
+  for (const view of views) {
+    await open(page, view);
+    await expect(page).toHaveTitle(new RegExp(`^quatlas · ${view}$`, "i"));
+  }
+});

@@ -411,3 +411,29 @@ test("the buttons of undo and redo tell what they can", async ({ page }) => {
   await page.getByRole("link", { name: "Translate" }).click();
   await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("aria-disabled", "true");
 });
+
+test("what is wrong in a number stands under it, and Alt+Enter mends it there", async ({
+  page,
+}) => {
+  await page.goto("/");
+  const cell = field(page, "R(q), row 1, column 1");
+  await cell.focus();
+  await page.keyboard.type("0.95");
+  await expect(page.locator(".number-problem")).toContainText("away from the nearest rotation");
+  await page.keyboard.press("Alt+Enter");
+  await expect(cell).toHaveAttribute("aria-invalid", "false");
+  await expect(page.locator(".problem")).toHaveCount(0);
+  const pitch = field(page, "pitch in degrees");
+  await pitch.focus();
+  await page.keyboard.press("Backspace");
+  await expect(page.locator(".number-problem")).toHaveText("A number is missing here.");
+  await expect(pitch).toHaveAccessibleDescription(/a number is missing where the \? stands/);
+  await page.keyboard.type("20");
+  await expect(page.locator(".number-problem")).toHaveCount(0);
+});
+
+test("an untouched angle keeps the digits that it has", async ({ page }) => {
+  await page.goto("/");
+  await edit(page, "pitch in degrees", "20");
+  await expect(quaternionField(page)).toHaveValue("ZYX 45°, 20°, 0°");
+});

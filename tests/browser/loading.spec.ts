@@ -4,11 +4,11 @@ import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 188_500;
+const firstBudget = 189_500;
 const lazyBudgets: Record<string, number> = {
   "ComposePicture.js": 1_520,
   "CopyMenu.css": 450,
-  "CopyMenu.js": 860,
+  "CopyMenu.js": 870,
   "Gallery.js": 2_170,
   "Help.js": 900,
   "Identify.css": 2_350,
@@ -16,10 +16,10 @@ const lazyBudgets: Record<string, number> = {
   "Libraries.js": 4_170,
   "Popup.css": 180,
   "Popup.js": 780,
-  "ReadPicture.js": 2_140,
+  "ReadPicture.js": 2_300,
   "SharePanel.css": 350,
-  "SharePanel.js": 1_830,
-  "Translate.js": 9_050,
+  "SharePanel.js": 1_880,
+  "Translate.js": 9_060,
   "apple_touch_icon.png": 3_140,
   "code.js": 3_620,
   "favicon.svg": 330,
@@ -34,9 +34,9 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 610,
   "phrases.js": 220,
   "quatlas.js": 3_330,
-  "quatlas_bg.wasm": 273_300,
-  "save.js": 4_890,
-  "service_worker.js": 3_870,
+  "quatlas_bg.wasm": 273_680,
+  "save.js": 4_970,
+  "service_worker.js": 3_880,
   "translate.css": 1_820,
   "translate.js": 1_600,
 };

@@ -117,6 +117,18 @@ test("a finger turns the body too", async ({ browser, baseURL }) => {
   for (const part of [0.25, 0.5, 0.75, 1]) await touch("touchMove", (part * 150 * box.width) / 360);
   await touch("touchEnd", 0);
   await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
+  // Beside the body a finger moves the page.
+  const scrolled = () => page.evaluate(() => scrollY);
+  const before = await scrolled();
+  const beside = (type: "touchStart" | "touchMove" | "touchEnd", moved: number) =>
+    session.send("Input.dispatchTouchEvent", {
+      type,
+      touchPoints: type === "touchEnd" ? [] : [{ x: box.x + 10, y: box.y + 250 - moved }],
+    });
+  await beside("touchStart", 0);
+  for (const moved of [20, 60, 100, 140]) await beside("touchMove", moved);
+  await beside("touchEnd", 0);
+  await expect.poll(scrolled).toBeGreaterThan(before + 50);
   await context.close();
 });
 
@@ -133,14 +145,58 @@ test("active and passive: the vector moves, or the axes do", async ({ page }) =>
   await page.keyboard.press("Space");
   expect((await letters()).sort()).toEqual(["90°", "x", "x′", "xW", "yW", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
-    /R\(q\) turns x into x′, by 90° about z.*x = \[1, 0, 0\] becomes x′ = \[0, 1, 0\]/,
+    /R\(q\) turns x into x′, and the body with it, by 90° about z.*along x now points to \[0, 1, 0\].*x = \[1, 0, 0\] becomes x′ = \[0, 1, 0\]/,
   );
   // JPL's C(q) of the same attitude turns a vector the other way.
   await page.getByRole("radio", { name: /^JPL/ }).check();
   await expect(stage(page)).toHaveAccessibleDescription(
-    /C\(q\) turns x into x′, by 90° about −z.*x = \[1, 0, 0\] becomes x′ = \[0, −1, 0\]/,
+    /C\(q\) turns x into x′, and the body with it, by 90° about −z.*along x now points to \[0, −1, 0\].*x = \[1, 0, 0\] becomes x′ = \[0, −1, 0\]/,
   );
   await expect(page).toHaveURL(/picture=active/);
+});
+
+test("turning the body of the active picture writes what turns it so", async ({ page }) => {
+  // JPL's C(q) turns by the opposite of the attitude: to the right, about z, is an attitude about −z.
+  await page.goto(`/#read?quaternion=1+0+0+0&as=jpl&picture=active&${fromX}`);
+  await stage(page).focus();
+  await press(page, "Shift+ArrowRight", quarter);
+  await expect(quaternionField(page)).toHaveValue("x=0 y=0 z=-0.707107 w=0.707107");
+  await expect(stage(page)).toHaveAccessibleDescription(
+    /about z\. .*along x now points to \[0, 1, 0\]/,
+  );
+  expect(await numbersOf(matrix(page, "C(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
+});
+
+test("a drag is one step of undo, and Escape takes it back", async ({ page }) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  const box = await stage(page).boundingBox();
+  if (!box) throw new Error("no picture");
+  const [across, down] = [box.x + box.width / 2 + 6, box.y + box.height / 2 + 14];
+  const drag = async () => {
+    await page.mouse.move(across, down);
+    await page.mouse.down();
+    await page.mouse.move(across + 40, down + 10, { steps: 5 });
+  };
+  await drag();
+  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await page.keyboard.press("Escape");
+  await expect(quaternionField(page)).toHaveValue("1 0 0 0");
+  await page.mouse.move(across + 80, down);
+  await page.mouse.up();
+  await expect(quaternionField(page)).toHaveValue("1 0 0 0");
+  await drag();
+  await page.mouse.up();
+  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(quaternionField(page)).toHaveValue("1 0 0 0");
+});
+
+test("the picture of an earlier text looks like one", async ({ page }) => {
+  await page.goto("/#read?quaternion=90deg+about+z");
+  await stage(page).waitFor();
+  await expect(page.locator(".picture-old")).toHaveCount(0);
+  await quaternionField(page).fill("90deg about");
+  await expect(page.locator(".picture-old")).toBeVisible();
 });
 
 test("the change of reading is shown once, and at once for those who want less motion", async ({

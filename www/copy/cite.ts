@@ -4,14 +4,18 @@ import { citeWords as words } from "../words/share.ts";
 
 /** Enough to recognise the case; the link holds every digit. */
 const significantDigits = 5;
+/** What is this much smaller than the largest number beside it is rounding, not information. */
 const roundingNoise = 1e-14;
 
-function cited(number: number): string {
-  const size = Math.abs(number) < roundingNoise ? 0 : number;
+function cited(number: number, largest = 0): string {
+  const size = Math.abs(number) < roundingNoise * largest ? 0 : number;
   return String(Number(size.toPrecision(significantDigits)));
 }
 
-const tuple = (numbers: readonly number[]) => `(${numbers.map(cited).join(", ")})`;
+function tuple(numbers: readonly number[]): string {
+  const largest = Math.max(...numbers.map(Math.abs));
+  return `(${numbers.map((number) => cited(number, largest)).join(", ")})`;
+}
 
 function quaternion(numbers: readonly number[]): string {
   const norm = Math.hypot(...numbers);

@@ -3,7 +3,7 @@ import { useId, useMemo, useRef } from "preact/hooks";
 import type { PictureState, Reading } from "../address_picture.ts";
 import type { ReadReport } from "../engine.ts";
 import { shownArray, shownAxis, shownRoughAngle } from "../format.ts";
-import { declaredConvention, type Store } from "../state.ts";
+import { declaredConvention, type Freshness, type Store } from "../state.ts";
 import { presetOf } from "../view/conventions.ts";
 import { hold } from "../view/hold.ts";
 import { arrowOf, wordsOf } from "../words/conventions.ts";
@@ -15,6 +15,7 @@ import {
   passiveWords,
   readPictureLabel,
   samePoseWords,
+  turnedAxesWords,
   turnWords,
   vectorWords,
   pictureWords as words,
@@ -28,8 +29,11 @@ import { poseAsText } from "./written.ts";
 
 export function ReadPicture({ store }: { store: Store }) {
   const shown = store.read.value;
-  return shown ? <Shown store={store} report={shown.report} /> : null;
+  return shown ? <Shown store={store} {...shown} /> : null;
 }
+
+const same = (turn: Quaternion) => turn;
+const inverse = ({ w, x, y, z }: Quaternion): Quaternion => ({ w, x: -x, y: -y, z: -z });
 
 /** In a picture, more than four decimals say nothing. */
 const coarse = (numbers: readonly number[]) =>
@@ -38,7 +42,15 @@ const coarse = (numbers: readonly number[]) =>
     "all",
   );
 
-function Shown({ store, report }: { store: Store; report: ReadReport }) {
+function Shown({
+  store,
+  report,
+  freshness,
+}: {
+  store: Store;
+  report: ReadReport;
+  freshness: Freshness;
+}) {
   const { picture, unit } = store.state.value;
   const frame = useRef<HTMLDivElement>(null);
   const describedBy = useId();
@@ -58,7 +70,10 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
     const state = store.state.peek();
     // Going on from what was written last, the pose is known with more digits than the text has.
     const last = written.current?.text === state.quaternion ? written.current.pose : undefined;
-    const pose = ofNormOne(composed(turn, last ?? report.hamilton.unit));
+    // In the active reading the body stands as the declared matrix turns it.
+    const isInverse = reading === "active" && report.rules.operator === "world-to-body";
+    const seen = isInverse ? inverse : same;
+    const pose = seen(ofNormOne(composed(turn, seen(last ?? report.hamilton.unit))));
     const convention = declaredConvention(state, store.engine);
     const text = poseAsText(pose, convention, report.rules, state.digits);
     written.current = { pose, text };
@@ -76,7 +91,7 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
   };
 
   return (
-    <div ref={frame}>
+    <div ref={frame} class={freshness === "current" ? "" : "picture-old"}>
       <div class="picture-bar">
         <fieldset class="picture-readings">
           <legend class="visually-hidden">{words.reading}</legend>
@@ -106,6 +121,10 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
         onLook={(look) => change({ look })}
         onTurn={onTurn}
         onTurned={store.step}
+        onCancelled={() => {
+          store.step();
+          store.undo();
+        }}
       />
       <p class="picture-hint">{words.hands}</p>
       <p class="picture-says" id={describedBy}>
@@ -119,7 +138,7 @@ function Shown({ store, report }: { store: Store; report: ReadReport }) {
         <label class="picture-check">
           <input
             type="checkbox"
-            checked={picture.poses === "both"}
+            checked={picture.poses === "both" && reading === "passive"}
             onChange={({ currentTarget }) =>
               change({ poses: currentTarget.checked ? "both" : "one", reading: "passive" })
             }
@@ -152,7 +171,7 @@ function describe(
   const { turn, vector, declared } = report;
   const { handedness, direction } = declared.convention;
   const isActive = reading === "active";
-  const rows = report.hamilton.matrix;
+  const rows = isActive ? declared.matrix : report.hamilton.matrix;
   const ends = [0, 1, 2].map((column) => coarse(rows.map((row) => row[column] ?? 0))) as [
     string,
     string,
@@ -174,7 +193,7 @@ function describe(
       isActive ? activeWords(words, matrix, hasVector) : passiveWords(words, hasVector),
     );
   }
-  sentences.push(axesWords(ends));
+  sentences.push(isActive ? turnedAxesWords(ends) : axesWords(ends));
   const { image } = declared;
   const inWorld = vectorInWorld(report);
   if (hasVector && image && inWorld) {

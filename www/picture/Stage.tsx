@@ -19,6 +19,15 @@ const arrows: Record<string, readonly [number, number]> = {
 
 const rolls: Record<string, number> = { PageUp: 1, PageDown: -1 };
 
+/** A pointer that was pressed on the drawing. */
+interface Held {
+  id: number;
+  across: number;
+  down: number;
+  turns: "view" | "body";
+  hasMoved: boolean;
+}
+
 export function Stage({
   scene,
   look,
@@ -27,6 +36,7 @@ export function Stage({
   onLook,
   onTurn,
   onTurned,
+  onCancelled,
 }: {
   scene: Scene;
   look: Look;
@@ -37,11 +47,11 @@ export function Stage({
   onTurn?: ((turn: Quaternion, by: "drag" | "key") => void) | undefined;
   /** The hand let the body go. */
   onTurned?: () => void;
+  /** The Escape key took back what the hand did. */
+  onCancelled?: () => void;
 }) {
   const camera = cameraOf(look);
-  const held = useRef<
-    { id: number; across: number; down: number; turns: "view" | "body" } | undefined
-  >(undefined);
+  const held = useRef<Held | undefined>(undefined);
 
   const point = (event: PointerEvent, stage: Element) => {
     const { width } = stage.getBoundingClientRect();
@@ -67,6 +77,13 @@ export function Stage({
       tabIndex={0}
       onKeyDown={(event) => {
         if (event.ctrlKey || event.metaKey || event.altKey) return;
+        if (event.key === "Escape" && held.current?.turns === "body") {
+          const { id, hasMoved } = held.current;
+          held.current = undefined;
+          event.currentTarget.releasePointerCapture(id);
+          if (hasMoved) onCancelled?.();
+          return;
+        }
         const arrow = arrows[event.key];
         const roll = rolls[event.key];
         if (arrow) {
@@ -85,6 +102,7 @@ export function Stage({
           id: event.pointerId,
           ...point(event, event.currentTarget),
           turns: isBody && onTurn ? "body" : "view",
+          hasMoved: false,
         };
         event.currentTarget.setPointerCapture(event.pointerId);
       }}
@@ -95,6 +113,7 @@ export function Stage({
         held.current = { ...from, ...to };
         const [right, down] = [to.across - from.across, to.down - from.down];
         if (right === 0 && down === 0) return;
+        held.current.hasMoved = true;
         move(from.turns, right * degreesPerUnit, down * degreesPerUnit, "drag");
       }}
       onLostPointerCapture={() => {

@@ -2,6 +2,7 @@
 import type { PictureState, Reading } from "../address_picture.ts";
 import type { ReadReport } from "../engine.ts";
 import { type Camera, cameraOf } from "./camera.ts";
+import { visibleEdges } from "./occlusion.ts";
 import {
   bodyAxes,
   ground,
@@ -37,6 +38,12 @@ export function vectorInWorld({ rules, vector, declared }: ReadReport): Vector |
 
 const standing: Quaternion = { w: 1, x: 0, y: 0, z: 0 };
 
+/** The turn that the active picture makes: that of the declared matrix. */
+function operatorPose(report: ReadReport, part: number): Quaternion {
+  const turning = operatorTurn(report);
+  return turning ? turnAbout(turning.axis, turning.angleRad * part) : standing;
+}
+
 function poseOf({ axis, angleRad }: ReadReport["turn"], part: number): Quaternion {
   return axis ? turnAbout(axis, angleRad * part) : standing;
 }
@@ -55,10 +62,12 @@ export function readScene(
   const { turn, declared } = report;
   const parts: Pick<Scene, "lines" | "labels">[] = [{ lines: ground(), labels: [] }, worldAxes()];
   const isActive = readingOf(report, picture) === "active";
-  const pose = poseOf(turn, isActive ? 1 : progress);
+  const pose = isActive ? operatorPose(report, progress) : poseOf(turn, progress);
   const turning = isActive ? operatorTurn(report) : turn.axis && { ...turn, axis: turn.axis };
   if (turning) parts.push(turningAxis(turning, angleWords, camera));
   if (isActive) {
+    // The body is turned as the vector is; its outline stays where it was.
+    if (turning) parts.push({ lines: visibleEdges(standing, camera, "ghost"), labels: [] });
     parts.push(vectorArrow(report.vector, "x", "before"));
     if (declared.image && turning) {
       const done = { axis: turning.axis, angleRad: turning.angleRad * progress };

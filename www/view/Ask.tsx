@@ -134,7 +134,7 @@ function ProblemWords({
     <div class="problem" id={problemId(field)}>
       <p class="problem-head">
         <span class="problem-message">
-          <var>{symbolOf[field]}</var>: {message}.
+          <var>{symbolOf[field]}</var>: <bdi>{message}</bdi>.
         </span>{" "}
         {children}
       </p>

@@ -167,7 +167,7 @@ function Road({
       <p>
         {words.meet(
           name ?? words.yours,
-          arrowOf(product.direction),
+          words.matricesDo[product.convention.function](arrowOf(product.direction)),
           [right, left],
           [start, middle, end],
         )}

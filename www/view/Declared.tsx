@@ -22,6 +22,7 @@ export function DeclaredCard({
 }) {
   const { declared, rules } = report;
   const name = nameOf(declared.convention, store.engine);
+  const { function: does } = declared.convention;
   const values = declaredValues(declared);
   const act = (
     <>
@@ -54,14 +55,14 @@ export function DeclaredCard({
               numbers={declared.image}
               value={values.image}
               digits={digits}
-              note={words.coordinates(arrowOf(rules.operator))}
+              note={words.coordinates[does](arrowOf(rules.operator))}
             />
           </div>
         </div>
         <Matrix
           name={words.matrix}
           symbol={<>{act} =</>}
-          caption={arrowOf(rules.operator)}
+          caption={words.matrixDoes[does](arrowOf(rules.operator))}
           rows={declared.matrix}
           value={values.matrix}
           digits={digits}

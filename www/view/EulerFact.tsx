@@ -2,7 +2,7 @@
 import { type Digits, eulerAxes, sequenceName, type Unit } from "../address.ts";
 import { eulerValue } from "../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../engine.ts";
-import { exactArray, fromDegrees, shownAngle, shownArray } from "../format.ts";
+import { exactArray, fromDegrees, inDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
 import * as words from "../words/facts.ts";
@@ -45,7 +45,7 @@ export function EulerFact({
       id: "euler-angles",
       describe: () => ({ kind: "euler-angles", sequence: euler.sequence, unit }),
     },
-    anglesIn[unit],
+    unit === "degrees" ? euler.anglesDeg.map(inDegrees) : euler.anglesRad,
   );
   return (
     <div class="fact fact-euler">

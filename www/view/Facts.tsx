@@ -4,7 +4,7 @@ import type { Digits } from "../address.ts";
 import { turnValues } from "../copy/values.ts";
 import type { ReadReport } from "../engine.ts";
 import { negates } from "../fixes.ts";
-import { exact, exactArray, shownAngle, shownArray } from "../format.ts";
+import { exact, exactArray, inDegrees, shownAngle, shownArray } from "../format.ts";
 import type { Store } from "../state.ts";
 import { fieldWords } from "../words/edit.ts";
 import * as words from "../words/facts.ts";
@@ -24,7 +24,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
   const angle = { degrees: angleDeg, radians: angleRad };
   const turn = numberGroup(
     { store, id: "axis-and-angle", describe: () => ({ kind: "axis-angle", unit }) },
-    [angle[unit], ...(axis ?? anyAxis)],
+    [unit === "degrees" ? inDegrees(angleDeg) : angleRad, ...(axis ?? anyAxis)],
   );
   const rotationVector = numberGroup(
     { store, id: "rotation-vector", describe: () => ({ kind: "rotation-vector" }) },

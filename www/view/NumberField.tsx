@@ -1,9 +1,11 @@
 // A number of the result that can be edited in its place.
 import { useRef, useState } from "preact/hooks";
 import type { Digits, Unit } from "../address.ts";
+import { applyFirst } from "../fixes.ts";
 import { shown } from "../format.ts";
 import type { Content } from "../history.ts";
 import { type Stride, stepped } from "../stepping.ts";
+import { numberProblem } from "../words/edit.ts";
 import { inPlace } from "./hold.ts";
 import {
   leave,
@@ -67,6 +69,9 @@ export function NumberField({
       const next = stepped(number, steps[unit], strideOf(event), direction);
       inPlace(field, () => write(group, at, next));
       select(field, next);
+    } else if (event.key === "Enter" && event.altKey) {
+      event.preventDefault();
+      if (applyFirst(store, "quaternion")) begin(field);
     } else if (event.key === "Enter" && !event.isComposing) {
       event.preventDefault();
       leave(group);
@@ -81,13 +86,16 @@ export function NumberField({
     }
   };
 
-  return (
+  const problem = isEdited && isWrong ? store.problemOf("quaternion") : undefined;
+  const value = isEdited ? partOf(group, at) : reading;
+  const input = (
     <input
       type="text"
       class={`number digits-${digits} ${isLong ? "long" : ""}`}
       aria-label={label}
       size={isLong ? reading.length : undefined}
-      value={isEdited ? partOf(group, at) : reading}
+      value={value}
+      style={{ "--exact": `calc(${value.length + 1}ch + 8px)` }}
       spellcheck={false}
       autocomplete="off"
       autocapitalize="off"
@@ -112,6 +120,17 @@ export function NumberField({
       }}
       data-group={group.id}
     />
+  );
+  return (
+    <>
+      {input}
+      {/* It is read aloud as the description of the field, from where all problems stand. */}
+      {problem && (
+        <span class="number-problem" aria-hidden="true">
+          {numberProblem(value, problem)}
+        </span>
+      )}
+    </>
   );
 }
 

@@ -23,8 +23,15 @@ const firstViews = { read: Read, compose: Compose };
 export function Page({ store }: { store: Store }) {
   const state = store.state.value;
   const failure = store.failure.value;
+  const title = words.title(words.viewNames[state.view]);
+  useEffect(() => {
+    document.title = title;
+  }, [title]);
   return (
     <>
+      <button type="button" class="skip" onClick={() => focusResult()}>
+        {words.skip}
+      </button>
       <header class="masthead">
         <h1 class="wordmark">{words.name}</h1>
         <p class="tagline">{words.tagline}</p>
@@ -63,6 +70,15 @@ export function Page({ store }: { store: Store }) {
       <Overlay store={store} />
     </>
   );
+}
+
+/** Past the fields and examples, to the numbers. */
+function focusResult() {
+  const result =
+    document.querySelector<HTMLElement>("main .result") ?? document.querySelector("main");
+  if (result === null) return;
+  result.tabIndex = -1;
+  result.focus();
 }
 
 function Shown({ view, store }: { view: View; store: Store }): VNode {

@@ -1,6 +1,6 @@
 // The link, the link as Markdown and the sentence that cites the case. Loaded when it is opened.
 import { version } from "../../package.json";
-import { toFragment } from "../address.ts";
+import { versionedFragment } from "../address.ts";
 import { citeCompose, citeRead, citeTranslation, markdownLink } from "../copy/cite.ts";
 import { putOnClipboard } from "../copy/clipboard.ts";
 import type { Endpoint } from "../engine.ts";
@@ -18,7 +18,7 @@ export interface PanelProps {
 }
 
 export function SharePanel({ store, anchor, close }: PanelProps) {
-  const link = `${location.href.split("#")[0]}#${toFragment(store.state.value)}`;
+  const link = `${location.href.split("#")[0]}#${sharedFragment(store)}`;
   const sentence = sentenceOf(store);
   return (
     <Popup anchor={anchor} close={close} role="dialog" label={words.panel} kind="share-panel">
@@ -47,6 +47,12 @@ function Line({ name, text }: { name: string; text: string }) {
       <span class="share-text">{text}</span>
     </button>
   );
+}
+
+/** The address of the state, always with its version; a link of a newer quatlas stays what it is. */
+function sharedFragment(store: Store): string {
+  if (store.isLinkNewer.value) return location.hash.replace(/^#/, "");
+  return versionedFragment(store.state.value);
 }
 
 /** What the link opens, in words. */

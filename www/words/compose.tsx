@@ -32,6 +32,12 @@ export const afterOnAxes = (operand: Symbols, frame: string) => (
 export const beyond = "beyond a double";
 export const yours = "your convention";
 
+/** What the matrices of a convention do: an active one has that of the other direction. */
+export const matricesDo = {
+  passive: (arrow: string) => arrow,
+  active: (arrow: string) => `which turns vectors by the matrices ${arrow}`,
+};
+
 export const meet = (
   convention: string,
   direction: string,

@@ -34,6 +34,12 @@ export const undoWords = {
   redone: (parts: readonly (keyof PageState)[]) => `Redone: ${namesOf(parts)}`,
 } as const;
 
+/** What stands under a number that cannot be read, while it is edited. */
+export const numberProblem = (
+  typed: string,
+  { message, expected }: { message: string; expected: string },
+) => (typed.trim() === "" ? "A number is missing here." : `${message}. Expected ${expected}.`);
+
 export const fieldWords = {
   component: (group: string, name: string) => `${group}, ${name}`,
   entry: (matrix: string, row: number, column: number) => `${matrix}, row ${row}, column ${column}`,

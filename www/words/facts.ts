@@ -22,4 +22,4 @@ export const frames: Record<EulerFrame, string> = {
 export const yawPitchRoll = ["yaw", "pitch", "roll"];
 /** The angles of a sequence about these axes that has no names for them. */
 export const ordinals = (axes: readonly string[]) =>
-  ["first", "second", "third"].map((ordinal, at) => `${ordinal}, ${axes[at] ?? ""}`);
+  ["first", "second", "third"].map((ordinal, at) => `${ordinal} (${axes[at] ?? ""})`);

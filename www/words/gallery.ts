@@ -37,7 +37,7 @@ export const exampleWords: Record<ExampleName, [name: string, teaches: string]> 
   ],
   "double-cover": [
     "q and −q",
-    "Double cover: all four signs are turned, and every matrix is that of 45° about z.",
+    "Double cover: every sign is turned, and every matrix is that of 45° about z.",
   ],
   "gimbal-lock": [
     "Gimbal lock",

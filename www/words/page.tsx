@@ -2,6 +2,8 @@
 import type { View } from "../address.ts";
 
 export const name = "quatlas";
+export const title = (view: string) => `${name} · ${view}`;
+export const skip = "Go to the result";
 export const tagline = "One rotation, every convention.";
 export const views = "Views";
 export const viewNames: Record<View, string> = {

@@ -34,8 +34,8 @@ export function passiveWords(turn: string, hasVector: boolean): string {
 /** What the active picture shows: one frame and a vector before and after. */
 export function activeWords(turn: string, matrix: string, hasVector: boolean): string {
   return hasVector
-    ? `The axes stay: ${matrix} turns x into x′, by ${turn}.`
-    : `The axes stay: ${matrix} turns by ${turn}.`;
+    ? `The axes stay: ${matrix} turns x into x′, and the body with it, by ${turn}.`
+    : `The axes stay: ${matrix} turns the body by ${turn}.`;
 }
 
 export const turnWords = (angle: string, axis: string) => `${angle} about ${axis}`;
@@ -44,6 +44,12 @@ export const turnWords = (angle: string, axis: string) => `${angle} about ${axis
 export function axesWords(ends: readonly [string, string, string]): string {
   const [x, y, z] = ends;
   return `In world coordinates, the body's x axis points to ${x}, its y axis to ${y} and its z axis to ${z}.`;
+}
+
+/** The same where the body is turned and the axes stay. */
+export function turnedAxesWords(ends: readonly [string, string, string]): string {
+  const [x, y, z] = ends;
+  return `The body is turned with it: what was along x now points to ${x}, along y to ${y} and along z to ${z}.`;
 }
 
 export const vectorWords = {

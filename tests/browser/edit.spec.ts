@@ -308,7 +308,8 @@ for (const width of [1280, 390]) {
     const boxes = () =>
       all.evaluateAll((found) =>
         found.map((node) =>
-          node === document.activeElement ? 0 : node.getBoundingClientRect().left,
+          // A width in letters is rounded to a sixty-fourth of a pixel.
+          node === document.activeElement ? 0 : node.getBoundingClientRect().left.toFixed(1),
         ),
       );
     await cell.focus();

@@ -6,11 +6,11 @@ import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 189_500;
 const lazyBudgets: Record<string, number> = {
-  "ComposePicture.js": 1_520,
+  "ComposePicture.js": 1_540,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
   "Gallery.js": 2_170,
-  "Help.js": 900,
+  "Help.js": 940,
   "Identify.css": 2_350,
   "Identify.js": 9_220,
   "Libraries.js": 4_170,
@@ -19,9 +19,9 @@ const lazyBudgets: Record<string, number> = {
   "ReadPicture.js": 2_300,
   "SharePanel.css": 350,
   "SharePanel.js": 1_880,
-  "Translate.js": 9_060,
+  "Translate.js": 9_050,
   "apple_touch_icon.png": 3_140,
-  "code.js": 3_620,
+  "code.js": 3_630,
   "favicon.svg": 330,
   "icon_192.png": 5_510,
   "icon_512.png": 15_040,

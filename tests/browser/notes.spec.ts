@@ -40,7 +40,7 @@ const texts: { name: string; typed: string; said: RegExp; written: string }[] = 
     name: "angles that seem to be degrees",
     typed: "ZYX 30 20 10",
     said: /read as degrees/,
-    written: "ZYX 30 20 10 rad",
+    written: "ZYX 30 20 10 deg",
   },
   {
     name: "angles that seem to be radians",

@@ -25,7 +25,7 @@ test("opens on 45° about z with every output filled", async ({ page }) => {
   );
   // The lecture's point (1, 1, 0)/√2 lies on the x axis of the turned frame.
   await expect(page.getByText("[1.000000, 0.000000, 0]")).toBeVisible();
-  await expect(page.getByRole("textbox", { name: "angle in degrees" })).toHaveValue("45.000000");
+  await expect(page.getByRole("textbox", { name: "angle in degrees" })).toHaveValue("45");
   await expect(page.getByRole("textbox", { name: "axis, z" })).toHaveValue("1");
 });
 

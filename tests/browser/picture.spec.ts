@@ -157,7 +157,7 @@ test("active and passive: the vector moves, or the axes do", async ({ page }) =>
 
 test("turning the body of the active picture writes what turns it so", async ({ page }) => {
   // JPL's C(q) turns by the opposite of the attitude: to the right, about z, is an attitude about −z.
-  await page.goto(`/#read?quaternion=1+0+0+0&as=jpl&picture=active&${fromX}`);
+  await page.goto(`/#read?quaternion=0+0+0+1&as=jpl&picture=active&${fromX}`);
   await stage(page).focus();
   await press(page, "Shift+ArrowRight", quarter);
   await expect(quaternionField(page)).toHaveValue("x=0 y=0 z=-0.707107 w=0.707107");

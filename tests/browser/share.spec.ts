@@ -22,11 +22,11 @@ async function shared(page: Page, what: string): Promise<string> {
 test("a case of Read is cited in a sentence with its link", async ({ page, baseURL }) => {
   await page.goto("/");
   expect(await shared(page, "Cite this case")).toBe(
-    `Unit quaternion (0.92388, 0, 0, 0.38268), Hamilton (w x y z, body to world): 45° about z. quatlas ${version}, ${baseURL}#read`,
+    `Unit quaternion (0.92388, 0, 0, 0.38268), Hamilton (w x y z, body to world): 45° about z. quatlas ${version}, ${baseURL}#read?v=1`,
   );
-  expect(await shared(page, "Link")).toBe(`${baseURL}#read`);
+  expect(await shared(page, "Link")).toBe(`${baseURL}#read?v=1`);
   expect(await shared(page, "Link as Markdown")).toBe(
-    `[quatlas: cos(pi/8) + sin(pi/8) k](${baseURL}#read)`,
+    `[quatlas: cos(pi/8) + sin(pi/8) k](${baseURL}#read?v=1)`,
   );
 });
 

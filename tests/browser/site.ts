@@ -51,7 +51,7 @@ export async function openSite() {
       server.closeAllConnections();
     },
     remove: () => rmSync(folder, { recursive: true }),
-    publish: (title: string) => publish(folder, title),
+    publish: (description: string) => publish(folder, description),
   };
 }
 
@@ -63,15 +63,15 @@ function read(path: string): Buffer | undefined {
   }
 }
 
-/** A new version: another title, and every script of another name; those of the old names are gone. */
-function publish(folder: string, title: string) {
+/** A new version: another description, and every script of another name; those of the old names are gone. */
+function publish(folder: string, description: string) {
   const assets = join(folder, "assets");
   const scripts = readdirSync(assets).filter((name) => name.endsWith(".js"));
   const renamed = (name: string) => name.replace(/\.js$/, "2.js");
   const rewrite = (path: string) => {
     let text = readFileSync(path, "utf8");
     for (const script of scripts) text = text.replaceAll(script, renamed(script));
-    writeFileSync(path, text.replace(/<title>.*<\/title>/, `<title>${title}</title>`));
+    writeFileSync(path, text.replace(/(name="description"\s+content=")[^"]*/, `$1${description}`));
   };
   rewrite(join(folder, "index.html"));
   for (const script of scripts) {

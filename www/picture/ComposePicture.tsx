@@ -4,7 +4,7 @@ import type { Unit } from "../address.ts";
 import type { Step } from "../address_picture.ts";
 import type { ComposeReport, Handedness, Operand, Turn } from "../engine.ts";
 import { shownAxis, shownRoughAngle } from "../format.ts";
-import type { Store } from "../state.ts";
+import type { Freshness, Store } from "../state.ts";
 import { pictureWords, stepWords as words } from "../words/picture.ts";
 import { cameraOf } from "./camera.ts";
 import { type Axes, composeScene, type Stage as Made, stagesOf } from "./compose_scene.ts";
@@ -14,14 +14,22 @@ import { saveFile, svgText } from "./save.ts";
 
 export function ComposePicture({ store }: { store: Store }) {
   const shown = store.compose.value;
-  return shown ? <Steps store={store} report={shown.report} /> : null;
+  return shown ? <Steps store={store} {...shown} /> : null;
 }
 
 const allSteps: readonly Step[] = [0, 1, 2];
 const signs: Record<Handedness, string> = { right: "⊙", left: "⊗" };
 const angleOf = ({ angleDeg }: Turn, unit: Unit) => shownRoughAngle(angleDeg, unit, 4);
 
-function Steps({ store, report }: { store: Store; report: ComposeReport }) {
+function Steps({
+  store,
+  report,
+  freshness,
+}: {
+  store: Store;
+  report: ComposeReport;
+  freshness: Freshness;
+}) {
   const { step } = store.state.value.picture;
   const motion = useMotion();
   const group = useId();
@@ -62,7 +70,7 @@ function Steps({ store, report }: { store: Store; report: ComposeReport }) {
           </button>
         </div>
       </div>
-      <div class="steps-pair">
+      <div class={`steps-pair ${freshness === "current" ? "" : "picture-old"}`}>
         {(["fixed", "moving"] as const).map((axes) => (
           <Way
             key={axes}

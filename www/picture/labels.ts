@@ -2,7 +2,7 @@
 import { type OnPaper, paper } from "./camera.ts";
 
 const lineHeight = 16;
-const letterWidth = 7.5;
+const letterWidth = 9;
 const margin = 12;
 
 interface Placeable {

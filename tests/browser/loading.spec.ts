@@ -19,7 +19,7 @@ const lazyBudgets: Record<string, number> = {
   "ReadPicture.js": 2_300,
   "SharePanel.css": 350,
   "SharePanel.js": 1_880,
-  "Translate.js": 9_050,
+  "Translate.js": 9_060,
   "apple_touch_icon.png": 3_140,
   "code.js": 3_630,
   "favicon.svg": 330,

@@ -278,3 +278,16 @@ test("a problem with its button has no violations", async ({ page }) => {
   await expect(fix(page, /^Turn the axis round/)).toBeVisible();
   expect(await violationsOf(page)).toEqual([]);
 });
+
+test("nothing moves when an angle comes to gimbal lock", async ({ page }) => {
+  await page.goto("/#read?quaternion=ZYX+30%C2%B0+20%C2%B0+10%C2%B0");
+  const end = () =>
+    page.locator(".colophon").evaluate((node) => node.getBoundingClientRect().top + scrollY);
+  await expect(page.locator(".fact-euler")).toBeVisible();
+  const before = await end();
+  for (const pitch of ["90", "89.9999"]) {
+    await quaternionField(page).fill(`ZYX 30° ${pitch}° 10°`);
+    await expect(page.locator(".fact-euler")).toContainText(/gimbal lock/i);
+    expect(await end(), pitch).toBe(before);
+  }
+});

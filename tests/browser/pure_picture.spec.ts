@@ -1,11 +1,20 @@
 // The geometry of the picture, against numbers made by hand.
 import { expect, test } from "@playwright/test";
 import { pictureFrom, pictureToTexts } from "../../www/address_picture.ts";
+import type { ComposeReport } from "../../www/engine.ts";
 import { cameraOf, onPaper, orbited, paper, turnAsSeen } from "../../www/picture/camera.ts";
+import { composeScene, stagesOf } from "../../www/picture/compose_scene.ts";
 import { apart } from "../../www/picture/labels.ts";
 import { isHidden, painted, planesOf, visibleEdges } from "../../www/picture/occlusion.ts";
 import { faces } from "../../www/picture/solid.ts";
-import { composed, dot, turnAbout, turned, type Vector } from "../../www/picture/space.ts";
+import {
+  composed,
+  directionOf,
+  dot,
+  turnAbout,
+  turned,
+  type Vector,
+} from "../../www/picture/space.ts";
 import { poseAsText } from "../../www/picture/written.ts";
 
 const standing = { w: 1, x: 0, y: 0, z: 0 };
@@ -100,6 +109,32 @@ test("labels on one point stand apart, and all stand on the paper", () => {
       expect(Math.hypot(one.across - other.across, one.down - other.down)).toBeGreaterThan(6);
     }
   }
+});
+
+test("two turns in order, about fixed axes and about moving ones, make the product", () => {
+  // p: a quarter turn about z, q: one about x; Hamilton's p ⊙ q = (1 + k)(1 + i)/2 = (1 + i + j + k)/2.
+  const quarterAbout = (axis: Vector) => ({ axis, angleRad: Math.PI / 2 });
+  const report = {
+    declared: { firstAboutFixedAxes: "q" },
+    pTurn: quarterAbout([0, 0, 1]),
+    qTurn: quarterAbout([1, 0, 0]),
+  } as unknown as ComposeReport;
+  const half = Math.SQRT1_2;
+  const shown = (axes: "fixed" | "moving", step: 0 | 1 | 2) => {
+    const scene = composeScene(stagesOf(report, axes), axes, step, 1, fromX, () => "");
+    const { w, x, y, z } = scene.pose;
+    const axis = scene.lines.find(({ pen }) => pen === "turn-axis");
+    return { pose: [w, x, y, z], axis: axis && directionOf(axis.to) };
+  };
+  close(shown("fixed", 0).pose, [1, 0, 0, 0]);
+  close(shown("fixed", 1).pose, [half, half, 0, 0]);
+  close(shown("moving", 1).pose, [half, 0, 0, half]);
+  for (const axes of ["fixed", "moving"] as const) {
+    close(shown(axes, 2).pose, [0.5, 0.5, 0.5, 0.5]);
+  }
+  // The second turn: about the world's z, and about the x that the first one carried to y.
+  close(shown("fixed", 2).axis ?? [], [0, 0, 1]);
+  close(shown("moving", 2).axis ?? [], [0, 1, 0]);
 });
 
 test("a pose is written in the order and with the sign of the convention", () => {

@@ -280,7 +280,8 @@ for (const view of views) {
     test.slow();
     await page.emulateMedia({ forcedColors: "active" });
     await page.goto(`/#${view}`);
-    await expect(page.locator("main").first()).not.toBeEmpty();
+    await expect(page.locator(".views [aria-current=page]")).toBeVisible();
+    await expect(page.locator("main .loading")).toHaveCount(0);
     expect(await violationsOf(page)).toEqual([]);
   });
 }

@@ -82,10 +82,12 @@ test("a format that cannot say a value is not offered", async ({ page }) => {
   await page.goto(jplLog);
   const offered = async (of: string) => {
     await menuOf(page, of).click();
+    await expect(item(page, "Numbers")).toBeVisible();
     const names = await page
       .getByRole("menuitemradio")
       .evaluateAll((items) => items.map((item) => item.getAttribute("aria-label")));
     await page.keyboard.press("Escape");
+    await expect(page.getByRole("menu")).toHaveCount(0);
     return names;
   };
   expect(await offered("Hamilton q")).toHaveLength(12);

@@ -137,13 +137,17 @@ test("active and passive: the vector moves, or the axes do", async ({ page }) =>
   await page.goto("/#read?quaternion=90deg+about+z&vector=1+0+0");
   const letters = () => stage(page).locator("text").allTextContents();
   await expect(stage(page)).toBeVisible();
-  expect((await letters()).sort()).toEqual(["90°", "x", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
+  await expect
+    .poll(async () => (await letters()).sort())
+    .toEqual(["90°", "x", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
     /A turn by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector x is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
   );
   await page.getByRole("radio", { name: "Active" }).focus();
   await page.keyboard.press("Space");
-  expect((await letters()).sort()).toEqual(["90°", "x", "x′", "xW", "yW", "zW"].sort());
+  await expect
+    .poll(async () => (await letters()).sort())
+    .toEqual(["90°", "x", "x′", "xW", "yW", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
     /R\(q\) turns x into x′, and the body with it, by 90° about z.*along x now points to \[0, 1, 0\].*x = \[1, 0, 0\] becomes x′ = \[0, 1, 0\]/,
   );

@@ -1,7 +1,14 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
 import { useEffect, useState } from "preact/hooks";
-import { type Digits, toFragment, type Unit, type View, views } from "../address.ts";
+import {
+  type Digits,
+  type PageState,
+  toFragment,
+  type Unit,
+  type View,
+  views,
+} from "../address.ts";
 import { shown, shownAngle, shownAxis } from "../format.ts";
 import { isLazy, load, loadingOf } from "../lazy_views.ts";
 import { saidOf } from "../said.ts";
@@ -66,7 +73,7 @@ export function Page({ store }: { store: Store }) {
           {words.colophon} <Version />
         </p>
       </footer>
-      <Status words={[saidOf(state), spoken(store)].join(" ").trim()} />
+      <Status words={[saidOf(state), spoken(store)].join(" ").trim()} of={state} />
       <Overlay store={store} />
     </>
   );
@@ -91,12 +98,13 @@ function Shown({ view, store }: { view: View; store: Store }): VNode {
 const restMs = 500;
 
 /** What a screen reader hears, once it rests. */
-function Status({ words: now }: { words: string }) {
+function Status({ words: now, of }: { words: string; of: PageState }) {
   const [said, setSaid] = useState(now);
+  // Again with every change, also where the words stay: that of a bracket which is not closed yet.
   useEffect(() => {
     const timer = setTimeout(() => setSaid(now), restMs);
     return () => clearTimeout(timer);
-  }, [now]);
+  }, [now, of]);
   return (
     <p class="visually-hidden" role="status" aria-live="polite">
       {said}

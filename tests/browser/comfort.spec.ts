@@ -180,6 +180,10 @@ test("every key of the list does what the list says", async ({ page, context }) 
     await expect(page.locator("textarea:focus, input[type=search]:focus")).toBeVisible();
     await page.evaluate(() => (document.activeElement as HTMLElement).blur());
     await key("1");
+    await expect(page.getByRole("link", { name: "Read", exact: true })).toHaveAttribute(
+      "aria-current",
+      "page",
+    );
     await key("g");
     await key(view.charAt(0).toLowerCase());
     await expect(link).toHaveAttribute("aria-current", "page");

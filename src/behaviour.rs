@@ -1,8 +1,8 @@
-//! What a library may do with four numbers: seven choices.
+//! What a library may do with four numbers: eight choices.
 
 use crate::convention::{ComponentOrder, ComponentSign, Direction, Handedness, Perturbation};
 use crate::library::{Library, first_to_act};
-use crate::perturbation::Side;
+use crate::perturbation::{IncrementSign, Side};
 use crate::rotation_matrix::CosineMatrix;
 use serde::{Deserialize, Serialize};
 
@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 /// active world to body (specification, MODEL-10).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
 pub struct Behaviour {
     /// The order of the constructor's arguments.
     pub constructor: ComponentOrder,
@@ -27,12 +28,19 @@ pub struct Behaviour {
     pub attitude: ComponentSign,
     /// On which axes a small turn is added.
     pub perturbation: Perturbation,
+    /// Whether adding a small turn φ turns the body by φ, which is [`IncrementSign::Physical`], or by
+    /// −φ, which is [`IncrementSign::Formal`] (specification, FX-26, step 6).
+    ///
+    /// By −φ it turns where φ stands without a sign in the exponential of a quaternion that is
+    /// conjugated (σ = −1), or of a matrix of world to body (τ = −1). Where there is no such sign to
+    /// leave out, both signs are the same turn, and numbers show it as the physical one.
+    pub increment_sign: IncrementSign,
 }
 
-/// One of the seven choices.
+/// One of the eight choices, under the name that its values have in [`Remaining`](crate::Remaining).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
+#[serde(rename_all = "camelCase")]
 pub enum BehaviourAxis {
     /// [`Behaviour::constructor`]
     Constructor,
@@ -48,11 +56,13 @@ pub enum BehaviourAxis {
     Attitude,
     /// [`Behaviour::perturbation`]
     Perturbation,
+    /// [`Behaviour::increment_sign`]
+    IncrementSign,
 }
 
 impl BehaviourAxis {
-    /// All seven: first those of the library, then those of how it is used.
-    pub const ALL: [Self; 7] = [
+    /// All eight: first those of the library, then those of how it is used.
+    pub const ALL: [Self; 8] = [
         Self::Constructor,
         Self::Array,
         Self::Handedness,
@@ -60,6 +70,7 @@ impl BehaviourAxis {
         Self::Matrix,
         Self::Attitude,
         Self::Perturbation,
+        Self::IncrementSign,
     ];
 
     /// Whether a behaviour has the second of the two values of this choice.
@@ -72,25 +83,39 @@ impl BehaviourAxis {
             Self::Matrix => behaviour.matrix == CosineMatrix::ALL[1],
             Self::Attitude => behaviour.attitude == ComponentSign::ALL[1],
             Self::Perturbation => behaviour.perturbation == Perturbation::ALL[1],
+            Self::IncrementSign => behaviour.increment_sign == IncrementSign::ALL[1],
         }
     }
 }
 
 impl Behaviour {
-    /// All 128.
+    /// All 256.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..1_u8 << BehaviourAxis::ALL.len()).map(|bits| {
-            let bit = |axis: BehaviourAxis| usize::from(bits >> axis as u8 & 1);
-            Self {
-                constructor: ComponentOrder::ALL[bit(BehaviourAxis::Constructor)],
-                array: ComponentOrder::ALL[bit(BehaviourAxis::Array)],
-                handedness: Handedness::ALL[bit(BehaviourAxis::Handedness)],
-                rotate: CosineMatrix::ALL[bit(BehaviourAxis::Rotate)],
-                matrix: CosineMatrix::ALL[bit(BehaviourAxis::Matrix)],
-                attitude: ComponentSign::ALL[bit(BehaviourAxis::Attitude)],
-                perturbation: Perturbation::ALL[bit(BehaviourAxis::Perturbation)],
-            }
-        })
+        (0..1_u16 << BehaviourAxis::ALL.len()).map(Self::of_bits)
+    }
+
+    /// One bit for each choice, in their order: 0 for the first of its values and 1 for the second.
+    fn of_bits(bits: u16) -> Self {
+        let bit = |axis: BehaviourAxis| usize::from(bits >> axis as u16 & 1);
+        Self {
+            constructor: ComponentOrder::ALL[bit(BehaviourAxis::Constructor)],
+            array: ComponentOrder::ALL[bit(BehaviourAxis::Array)],
+            handedness: Handedness::ALL[bit(BehaviourAxis::Handedness)],
+            rotate: CosineMatrix::ALL[bit(BehaviourAxis::Rotate)],
+            matrix: CosineMatrix::ALL[bit(BehaviourAxis::Matrix)],
+            attitude: ComponentSign::ALL[bit(BehaviourAxis::Attitude)],
+            perturbation: Perturbation::ALL[bit(BehaviourAxis::Perturbation)],
+            increment_sign: IncrementSign::ALL[bit(BehaviourAxis::IncrementSign)],
+        }
+    }
+
+    /// The behaviour that differs in this choice alone.
+    pub(crate) fn with_other(&self, axis: BehaviourAxis) -> Self {
+        let set = BehaviourAxis::ALL
+            .into_iter()
+            .filter(|other| other.is_second(self));
+        let bits: u16 = set.map(|other| 1 << other as u16).sum();
+        Self::of_bits(bits ^ 1 << axis as u16)
     }
 
     /// The five choices of the library itself, which do not depend on how it is used.

@@ -1,6 +1,6 @@
 //! Which convention a library uses, from what it printed.
 //!
-//! Every observation is compared with what each of the 128 behaviours prints; those remain that agree
+//! Every observation is compared with what each of the 256 behaviours prints; those remain that agree
 //! with all observations. The next probe is the one whose answer leaves the fewest, on average.
 
 use crate::behaviour::{Behaviour, BehaviourAxis};
@@ -190,7 +190,8 @@ fn without_bystanders<'a>(told: &[(usize, &'a [Behaviour])]) -> Vec<(usize, &'a 
     needed
 }
 
-/// The choices that two of the observations settle differently.
+/// The choices that two of the observations settle differently; of a pair that settles none so, those
+/// that alone keep the two apart.
 fn disputed(told: &[(usize, &[Behaviour])]) -> Vec<BehaviourAxis> {
     let settled: Vec<_> = told
         .iter()
@@ -204,7 +205,23 @@ fn disputed(told: &[(usize, &[Behaviour])]) -> Vec<BehaviourAxis> {
         let first = values.next();
         values.any(|value| Some(value) != first)
     };
-    BehaviourAxis::ALL.into_iter().filter(is_disputed).collect()
+    let disputed: Vec<_> = BehaviourAxis::ALL.into_iter().filter(is_disputed).collect();
+    match told {
+        [(_, one), (_, other)] if disputed.is_empty() => one_choice_apart(one, other),
+        _ => disputed,
+    }
+}
+
+/// The choices of which another value makes what one observation allows what the other allows.
+///
+/// A small turn ties three choices together and settles none; two that differ in their sign differ in
+/// nothing else.
+fn one_choice_apart(one: &[Behaviour], other: &[Behaviour]) -> Vec<BehaviourAxis> {
+    let is_apart_by = |axis: &BehaviourAxis| {
+        let mut changed = one.iter().map(|behaviour| behaviour.with_other(*axis));
+        changed.any(|behaviour| other.contains(&behaviour))
+    };
+    BehaviourAxis::ALL.into_iter().filter(is_apart_by).collect()
 }
 
 /// What no numbers tell apart: each direction of the call that rotates has two names.

@@ -3,6 +3,7 @@
 use crate::behaviour::Behaviour;
 use crate::convention::{ComponentOrder, ComponentSign, Handedness, Perturbation};
 use crate::nearest_rotation::nearest;
+use crate::perturbation::IncrementSign;
 use crate::probe::MatrixLayout;
 use crate::quaternion::{hamilton_product, jpl_product};
 use crate::rotation_matrix::CosineMatrix;
@@ -38,7 +39,7 @@ pub(crate) enum Question {
     Matrix(Numbers, MatrixLayout),
     FromMatrix(Matrix3<f64>, MatrixLayout),
     QuarterTurn,
-    /// A quaternion, and the body-to-world quaternion of the turn of the body.
+    /// A quaternion, and the body-to-world quaternion of the turn that is added.
     Perturb(Numbers, Quaternion<f64>),
 }
 
@@ -101,9 +102,13 @@ impl Question {
             Self::Perturb(quaternion, turn) => {
                 // By the body-to-world quaternion, of which the numbers may be the conjugate.
                 let attitude = signed(given(quaternion), behaviour.attitude);
+                let of_body = match behaviour.increment_sign {
+                    IncrementSign::Physical => turn,
+                    IncrementSign::Formal => turn.conjugate(),
+                };
                 let turned = match behaviour.perturbation {
-                    Perturbation::Local => hamilton_product(&attitude, &turn),
-                    Perturbation::Global => hamilton_product(&turn, &attitude),
+                    Perturbation::Local => hamilton_product(&attitude, &of_body),
+                    Perturbation::Global => hamilton_product(&of_body, &attitude),
                 };
                 vec![Answer::Rotation(signed(turned, behaviour.attitude))]
             }

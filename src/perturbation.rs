@@ -38,6 +38,11 @@ pub enum IncrementSign {
     Formal,
 }
 
+impl IncrementSign {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Physical, Self::Formal];
+}
+
 /// The side on which an increment stands, for an operator and the axes of the increment.
 const fn side(operator: Direction, axes: Perturbation) -> Side {
     match (operator, axes) {

@@ -20,7 +20,7 @@ pub enum ProbeKind {
     FromMatrix,
     /// The quaternion of a body that was turned by +90° about the world's z axis.
     QuarterTurn,
-    /// A quaternion after a small turn of the body was added.
+    /// A quaternion after a small turn was added, by the library's own call.
     Perturb,
 }
 
@@ -86,11 +86,11 @@ pub enum Probe {
         /// The quaternion as printed.
         printed: String,
     },
-    /// A quaternion after a small turn of the body was added.
+    /// A quaternion after a small turn was added, by the library's own call.
     Perturb {
         /// The quaternion that went in.
         quaternion: String,
-        /// The rotation vector of the turn of the body, in radians: three numbers.
+        /// The rotation vector that was added, in radians: three numbers.
         rotation_vector: String,
         /// The quaternion as printed.
         printed: String,

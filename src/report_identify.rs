@@ -5,7 +5,7 @@ use crate::convention::{
     ComponentOrder, ComponentSign, Direction, Function, Handedness, Perturbation,
 };
 use crate::library::Language;
-use crate::perturbation::Side;
+use crate::perturbation::{IncrementSign, Side};
 use crate::probe::Probe;
 use crate::problem::{Field, Problem};
 use crate::rotation_matrix::CosineMatrix;
@@ -20,7 +20,7 @@ pub struct IdentifyReport {
     pub observations: Vec<ObservationReport>,
     /// Each observation as a line of code; absent where what went in is not written as plain numbers.
     pub codes: Vec<Option<String>>,
-    /// How many of the 128 behaviours are still possible.
+    /// How many of the 256 behaviours are still possible.
     pub possible: usize,
     /// The values of each choice that are still possible.
     pub remaining: Remaining,
@@ -75,7 +75,7 @@ pub struct Unexplained {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Told {
-    /// How many of the 128 behaviours it leaves, alone.
+    /// How many of the 256 behaviours it leaves, alone.
     pub possible: usize,
     /// The choices that it settles, alone.
     pub settles: Vec<BehaviourAxis>,
@@ -102,6 +102,8 @@ pub struct Remaining {
     pub attitude: Vec<ComponentSign>,
     /// On which axes a small turn is added.
     pub perturbation: Vec<Perturbation>,
+    /// Whether a small turn φ turns the body by φ or by −φ.
+    pub increment_sign: Vec<IncrementSign>,
     /// The operand of `a * b` that acts first on a vector; it follows from product and rotation.
     pub first_to_act: Vec<Side>,
     /// Which coordinates to which the call that rotates takes; it follows from rotation and attitude.
@@ -176,6 +178,7 @@ pub(crate) fn remaining(behaviours: &[Behaviour]) -> Remaining {
         matrix: values(behaviours, |behaviour| behaviour.matrix),
         attitude: values(behaviours, |behaviour| behaviour.attitude),
         perturbation: values(behaviours, |behaviour| behaviour.perturbation),
+        increment_sign: values(behaviours, |behaviour| behaviour.increment_sign),
         first_to_act: values(behaviours, Behaviour::first_to_act),
         direction: values(behaviours, Behaviour::direction),
     }
@@ -206,6 +209,7 @@ impl Remaining {
             self.matrix.len(),
             self.attitude.len(),
             self.perturbation.len(),
+            self.increment_sign.len(),
         ];
         let pairs = BehaviourAxis::ALL.into_iter().zip(counts);
         pairs

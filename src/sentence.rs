@@ -2,7 +2,7 @@
 
 use crate::convention::{ComponentOrder, Direction, Handedness, Perturbation};
 use crate::library::{Family, family};
-use crate::perturbation::Side;
+use crate::perturbation::{IncrementSign, Side};
 use crate::report::Remaining;
 use crate::rotation_matrix::CosineMatrix;
 
@@ -35,13 +35,7 @@ pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
             };
             format!("uses quaternions that take {from} coordinates to {to} coordinates")
         }),
-        only(&left.perturbation).map(|axes| {
-            let axes = match axes {
-                Perturbation::Local => "body",
-                Perturbation::Global => "world",
-            };
-            format!("adds small turns on the axes of the {axes}")
-        }),
+        small_turns(only(&left.perturbation), only(&left.increment_sign)),
     ];
     let clauses: Vec<String> = clauses.into_iter().flatten().collect();
     let open: Vec<&str> = [
@@ -108,6 +102,24 @@ fn matrix(form: CosineMatrix, rotate: Option<CosineMatrix>) -> String {
         }
     };
     format!("prints {symbol} as the matrix of q{vectors}")
+}
+
+/// On which axes a small turn is added, and which turn of the body it is.
+fn small_turns(axes: Option<Perturbation>, sign: Option<IncrementSign>) -> Option<String> {
+    if axes.is_none() && sign.is_none() {
+        return None;
+    }
+    let axes = match axes {
+        Some(Perturbation::Local) => " on the axes of the body",
+        Some(Perturbation::Global) => " on the axes of the world",
+        None => "",
+    };
+    let sign = match sign {
+        Some(IncrementSign::Physical) => " with the physical sign (phi turns the body by phi)",
+        Some(IncrementSign::Formal) => " with the formal sign (phi turns the body by -phi)",
+        None => "",
+    };
+    Some(format!("adds small turns{axes}{sign}"))
 }
 
 /// What product and rotation are together.

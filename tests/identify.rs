@@ -1,127 +1,19 @@
-//! Which convention a library uses, told from what it prints: simulated libraries.
+//! What is said of a library, of what it printed, and of what to ask it next.
 
 mod common;
+#[path = "common/identified.rs"]
+mod identified;
 #[path = "common/simulated.rs"]
 mod simulated;
 
 use common::wasm_bindgen_test;
+use identified::{answer, identify};
 use quatlas::{
     Behaviour, BehaviourAxis, ComponentOrder, ComponentSign, CosineMatrix, Direction, Function,
-    Handedness, IdentifyReport, IdentifyRequest, Labels, Language, LibraryMatch, MatrixLayout,
-    ObservationReport, Outcome, Probe, ProbeKind, Request, Side, analyze,
+    Handedness, IdentifyRequest, Labels, Language, LibraryMatch, MatrixLayout, ObservationReport,
+    Probe, ProbeKind, Side,
 };
 use simulated::{Noise, Simulated, every_probe};
-
-fn answer(request: IdentifyRequest) -> IdentifyReport {
-    match analyze(&Request::Identify(request)) {
-        Outcome::Identify(report) => *report,
-        other => panic!("{other:?}"),
-    }
-}
-
-fn identify(observations: Vec<Probe>) -> IdentifyReport {
-    answer(IdentifyRequest::new(observations))
-}
-
-/// Whether nothing but this behaviour is left.
-#[track_caller]
-fn assert_only(report: &IdentifyReport, behaviour: Behaviour) {
-    assert_eq!(report.possible, 1, "{behaviour:?}: {report:#?}");
-    assert_eq!(report.settled, BehaviourAxis::ALL);
-    let left = &report.remaining;
-    assert_eq!(left.constructor, [behaviour.constructor]);
-    assert_eq!(left.array, [behaviour.array]);
-    assert_eq!(left.handedness, [behaviour.handedness]);
-    assert_eq!(left.rotate, [behaviour.rotate]);
-    assert_eq!(left.matrix, [behaviour.matrix]);
-    assert_eq!(left.attitude, [behaviour.attitude]);
-    assert_eq!(left.perturbation, [behaviour.perturbation]);
-    assert_eq!(report.contradiction, None);
-    assert_eq!(report.next, None);
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn all_128_behaviours_are_told_from_one_probe_of_each_kind() {
-    let mut count = 0;
-    for behaviour in Behaviour::all() {
-        let mut library = Simulated::new(behaviour, Noise::None, count);
-        let answers = every_probe()
-            .iter()
-            .map(|probe| library.answer(probe))
-            .collect();
-        assert_only(&identify(answers), behaviour);
-        count += 1;
-    }
-    assert_eq!(count, 128);
-}
-
-/// In any order, in single precision, with q and −q, rounded to three decimals.
-#[wasm_bindgen_test(unsupported = test)]
-fn noise_and_signs_and_order_do_not_matter() {
-    for noise in [Noise::Single, Noise::Rounded(4), Noise::Rounded(3)] {
-        for (seed, behaviour) in (0..).zip(Behaviour::all()) {
-            let mut library = Simulated::new(behaviour, noise, seed);
-            let mut answers: Vec<Probe> = every_probe()
-                .iter()
-                .map(|probe| library.answer(probe))
-                .collect();
-            let places = answers.len();
-            answers.rotate_left(usize::try_from(seed).expect("small") % places);
-            assert_only(&identify(answers), behaviour);
-        }
-    }
-}
-
-/// Asks what the tool asks until nothing is left to ask; the number of probes.
-fn follow(
-    library: &mut Simulated,
-    until: impl Fn(&IdentifyReport) -> bool,
-) -> (usize, IdentifyReport) {
-    let mut observations = Vec::new();
-    loop {
-        let report = identify(observations.clone());
-        if until(&report) {
-            return (observations.len(), report);
-        }
-        let next = report.next.expect("something to ask");
-        observations.push(library.answer(&next.probe));
-        assert!(
-            observations.len() <= 4,
-            "{:?}: {observations:#?}",
-            library.behaviour
-        );
-    }
-}
-
-#[wasm_bindgen_test(unsupported = test)]
-fn the_tools_own_questions_tell_all_128_in_four() {
-    for noise in [Noise::None, Noise::Single, Noise::Rounded(2)] {
-        for (seed, behaviour) in (0..).zip(Behaviour::all()) {
-            let mut library = Simulated::new(behaviour, noise, seed);
-            let (probes, report) = follow(&mut library, |report| report.possible == 1);
-            assert_only(&report, behaviour);
-            assert_eq!(
-                probes, 4,
-                "i*j, a rotated vector, a matrix, a perturbed quaternion"
-            );
-        }
-    }
-}
-
-/// The guided path: three questions tell what the library itself does.
-#[wasm_bindgen_test(unsupported = test)]
-fn three_questions_tell_the_library() {
-    for (seed, behaviour) in (0..).zip(Behaviour::all()) {
-        let mut library = Simulated::new(behaviour, Noise::Single, seed);
-        let (probes, report) = follow(&mut library, |report| {
-            BehaviourAxis::ALL[..5]
-                .iter()
-                .all(|axis| report.settled.contains(axis))
-        });
-        assert_eq!(probes, 3);
-        assert_eq!(report.remaining.first_to_act, [behaviour.first_to_act()]);
-    }
-}
 
 fn hamilton_scalar_first() -> Behaviour {
     Behaviour::all().next().expect("the first of all")
@@ -188,7 +80,7 @@ fn names_of_components_leave_the_orders_open() {
     let report = identify(vec![product]);
     assert_eq!(report.settled, [BehaviourAxis::Handedness]);
     assert_eq!(report.remaining.handedness, [Handedness::Left]);
-    assert_eq!(report.possible, 64);
+    assert_eq!(report.possible, 128);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -293,12 +185,12 @@ fn what_no_library_prints_and_what_cannot_be_read_stay_in_their_places() {
     };
     assert_eq!(
         (told.possible, &told.settles[..]),
-        (64, &[BehaviourAxis::Rotate][..])
+        (128, &[BehaviourAxis::Rotate][..])
     );
     assert!(matches!(mirrored, ObservationReport::Unexplained(_)));
     // What told nothing takes nothing away.
     assert_eq!(report.remaining.rotate, [CosineMatrix::Hamilton]);
-    assert_eq!(report.possible, 64);
+    assert_eq!(report.possible, 128);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

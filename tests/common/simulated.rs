@@ -1,10 +1,10 @@
-//! Libraries that do not exist: each of the 128 behaviours, from the definitions alone.
+//! Libraries that do not exist: each of the 256 behaviours, from the definitions alone.
 #![allow(dead_code, reason = "each test file uses a part of this")]
 
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
-    Behaviour, ComponentOrder, ComponentSign, CosineMatrix, Handedness, MatrixLayout, Perturbation,
-    Probe, ProbeKind,
+    Behaviour, ComponentOrder, ComponentSign, CosineMatrix, Handedness, IncrementSign,
+    MatrixLayout, Perturbation, Probe, ProbeKind,
 };
 
 /// Four numbers by name: w, x, y, z.
@@ -213,7 +213,11 @@ impl Simulated {
                 let turn = three(&rotation_vector);
                 let half = turn.norm() / 2.0;
                 let axis = turn.normalize() * half.sin();
-                let turn = [half.cos(), axis.x, axis.y, axis.z];
+                let exponential = [half.cos(), axis.x, axis.y, axis.z];
+                let turn = match behaviour.increment_sign {
+                    IncrementSign::Physical => exponential,
+                    IncrementSign::Formal => conjugate(exponential),
+                };
                 let body_to_world = self.as_used(self.given(&quaternion));
                 let turned = match behaviour.perturbation {
                     Perturbation::Local => hamilton(body_to_world, turn),
@@ -304,4 +308,76 @@ pub(crate) fn every_probe() -> Vec<Probe> {
             },
         })
         .collect()
+}
+
+impl Simulated {
+    /// A whole number from 0, less than that many.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small number that is not negative"
+        )]
+        let number = (self.random() * count as f64) as usize;
+        number
+    }
+
+    /// So many numbers between −1 and 1.
+    fn numbers(&mut self, count: usize) -> String {
+        let written: Vec<String> = (0..count)
+            .map(|_| format!("{:.6}", 2.0 * self.random() - 1.0))
+            .collect();
+        written.join(" ")
+    }
+}
+
+/// A probe of any kind with any numbers.
+pub(crate) fn random_probe(source: &mut Simulated) -> Probe {
+    let kinds = every_probe();
+    let kind = source.below(kinds.len());
+    let mut probe = kinds[kind].clone();
+    match &mut probe {
+        Probe::Components { quaternion, .. } | Probe::Matrix { quaternion, .. } => {
+            *quaternion = source.numbers(4);
+        }
+        Probe::Product { a, b, .. } => {
+            *a = source.numbers(4);
+            *b = source.numbers(4);
+        }
+        Probe::Rotate {
+            quaternion, vector, ..
+        } => {
+            *quaternion = source.numbers(4);
+            *vector = source.numbers(3);
+        }
+        Probe::FromMatrix { matrix, .. } => {
+            // Of a turn by less than 126°, all of whose digits are written.
+            let [x, y, z] = three(&source.numbers(3)).into();
+            let entries = active_matrix([1.0, x, y, z]).transpose();
+            let written: Vec<String> = entries.iter().map(|entry| format!("{entry:?}")).collect();
+            *matrix = written.join(" ");
+        }
+        Probe::QuarterTurn { .. } => {}
+        Probe::Perturb {
+            quaternion,
+            rotation_vector,
+            ..
+        } => {
+            *quaternion = source.numbers(4);
+            *rotation_vector = source.numbers(3);
+        }
+    }
+    probe
+}
+
+/// Whether two libraries printed the same; q and −q are.
+pub(crate) fn prints_the_same(one: &Probe, other: &Probe) -> bool {
+    let printed = |probe: &Probe| parts(&probe.printed().replace('\n', " "));
+    let (one, other) = (printed(one), printed(other));
+    let differs_by = |sign: f64| {
+        let pairs = one.iter().zip(&other);
+        pairs.fold(0.0, |most: f64, (a, b)| most.max((a - sign * b).abs()))
+    };
+    let sign_may_differ = one.len() == 4;
+    differs_by(1.0) < 1e-9 || sign_may_differ && differs_by(-1.0) < 1e-9
 }

@@ -109,13 +109,15 @@ impl Behaviour {
         }
     }
 
+    /// Which of these choices have the second of their values, one bit each.
+    pub(crate) fn bits_of(&self, axes: &[BehaviourAxis]) -> u16 {
+        let second = axes.iter().filter(|axis| axis.is_second(self));
+        second.map(|&axis| 1 << axis as u16).sum()
+    }
+
     /// The behaviour that differs in this choice alone.
     pub(crate) fn with_other(&self, axis: BehaviourAxis) -> Self {
-        let set = BehaviourAxis::ALL
-            .into_iter()
-            .filter(|other| other.is_second(self));
-        let bits: u16 = set.map(|other| 1 << other as u16).sum();
-        Self::of_bits(bits ^ 1 << axis as u16)
+        Self::of_bits(self.bits_of(&BehaviourAxis::ALL) ^ 1 << axis as u16)
     }
 
     /// The five choices of the library itself, which do not depend on how it is used.

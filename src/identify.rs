@@ -16,7 +16,7 @@ use crate::report::{
 };
 use crate::request::IdentifyRequest;
 use crate::sentence::sentence;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// Noise of single precision, after a few operations on numbers of size 1.
 const SINGLE_PRECISION: f64 = 1e-5;
@@ -45,10 +45,10 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         .iter()
         .map(|probe| Read::of(probe, request.language))
         .collect();
-    let told: Vec<(usize, &[Behaviour])> = read
+    let told: Vec<(usize, &Agreeing)> = read
         .iter()
         .enumerate()
-        .filter_map(|(at, read)| Some((at, read.possible.as_deref()?)))
+        .filter_map(|(at, read)| Some((at, read.agreeing.as_ref()?)))
         .collect();
     let possible = agreeing(&told);
     let left = remaining(&possible);
@@ -84,26 +84,37 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
     }
 }
 
+/// Whether each behaviour agrees with an observation, in the order of [`Behaviour::all`].
+struct Agreeing(Vec<bool>);
+
+impl Agreeing {
+    fn behaviours(&self) -> Vec<Behaviour> {
+        let all = Behaviour::all().zip(&self.0);
+        all.filter_map(|(behaviour, &agrees)| agrees.then_some(behaviour))
+            .collect()
+    }
+}
+
 /// An observation, and the behaviours that agree with it.
 struct Read {
     report: ObservationReport,
     /// Absent where it tells nothing: not made yet, or not understood.
-    possible: Option<Vec<Behaviour>>,
+    agreeing: Option<Agreeing>,
 }
 
 impl Read {
     fn of(probe: &Probe, language: Language) -> Self {
         let nothing = |report| Self {
             report,
-            possible: None,
+            agreeing: None,
         };
-        let problem = |problem| nothing(ObservationReport::Problem(ObservationProblem { problem }));
-        match (question(probe, language), printed(probe)) {
-            (_, Ok(None)) => nothing(ObservationReport::Empty),
-            (Err(found), _) | (_, Err(found)) => problem(found),
-            (Ok(question), Ok(Some(printed))) => {
-                Self::of_observation(&question, &printed, rounding(probe))
-            }
+        if probe.printed().trim().is_empty() {
+            return nothing(ObservationReport::Empty);
+        }
+        let both = question(probe, language).and_then(|asked| Ok((asked, printed(probe)?)));
+        match both {
+            Ok((question, printed)) => Self::of_observation(&question, &printed, rounding(probe)),
+            Err(problem) => nothing(ObservationReport::Problem(ObservationProblem { problem })),
         }
     }
 
@@ -115,53 +126,51 @@ impl Read {
                 .map(|answer| answer.distance(printed, behaviour.array));
             distances.fold(f64::INFINITY, f64::min)
         };
-        let distances: Vec<(Behaviour, f64)> = Behaviour::all()
-            .map(|behaviour| (behaviour, distance(&behaviour)))
+        let mut of_answer = HashMap::new();
+        let distances: Vec<f64> = Behaviour::all()
+            .map(|behaviour| {
+                let answer = of_answer.entry(question.key(&behaviour));
+                *answer.or_insert_with(|| distance(&behaviour))
+            })
             .collect();
-        let nearest = distances
-            .iter()
-            .map(|(_, distance)| *distance)
-            .fold(f64::INFINITY, f64::min);
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
         let believed = (MOST_ROUNDINGS * rounding).min(COARSEST_BELIEVED);
         let rounding = (ROUNDINGS * rounding).min(COARSEST);
         if nearest > FIRST_ORDER.max(believed) {
             let distance = nearest.is_finite().then_some(nearest);
             return Self {
                 report: ObservationReport::Unexplained(Unexplained { distance }),
-                possible: None,
+                agreeing: None,
             };
         }
         let near = SINGLE_PRECISION
             .max(rounding)
             .max(CLEARLY_FARTHER * nearest);
-        let possible: Vec<Behaviour> = distances
-            .into_iter()
-            .filter(|(_, distance)| *distance <= near)
-            .map(|(behaviour, _)| behaviour)
-            .collect();
+        let is_near = distances.into_iter().map(|distance| distance <= near);
+        let agreeing = Agreeing(is_near.collect());
+        let possible = agreeing.behaviours();
         Self {
             report: ObservationReport::Told(Told {
                 possible: possible.len(),
                 settles: remaining(&possible).settled(),
                 distance: nearest,
             }),
-            possible: Some(possible),
+            agreeing: Some(agreeing),
         }
     }
 }
 
 /// The behaviours that agree with all of these.
-fn agreeing(told: &[(usize, &[Behaviour])]) -> Vec<Behaviour> {
+fn agreeing(told: &[(usize, &Agreeing)]) -> Vec<Behaviour> {
     Behaviour::all()
-        .filter(|behaviour| {
-            told.iter()
-                .all(|(_, possible)| possible.contains(behaviour))
-        })
+        .enumerate()
+        .filter(|(at, _)| told.iter().all(|(_, Agreeing(agrees))| agrees[*at]))
+        .map(|(_, behaviour)| behaviour)
         .collect()
 }
 
 /// Observations that do not agree: a pair if there is one, or else a set of which none can be spared.
-fn contradiction(told: &[(usize, &[Behaviour])]) -> Option<Contradiction> {
+fn contradiction(told: &[(usize, &Agreeing)]) -> Option<Contradiction> {
     if !agreeing(told).is_empty() {
         return None;
     }
@@ -177,7 +186,7 @@ fn contradiction(told: &[(usize, &[Behaviour])]) -> Option<Contradiction> {
 }
 
 /// What is left of observations that do not agree when every one is taken out that is not needed for it.
-fn without_bystanders<'a>(told: &[(usize, &'a [Behaviour])]) -> Vec<(usize, &'a [Behaviour])> {
+fn without_bystanders<'a>(told: &[(usize, &'a Agreeing)]) -> Vec<(usize, &'a Agreeing)> {
     let mut needed = told.to_vec();
     let mut at = 0;
     while at < needed.len() {
@@ -192,10 +201,11 @@ fn without_bystanders<'a>(told: &[(usize, &'a [Behaviour])]) -> Vec<(usize, &'a 
 
 /// The choices that two of the observations settle differently; of a pair that settles none so, those
 /// that alone keep the two apart.
-fn disputed(told: &[(usize, &[Behaviour])]) -> Vec<BehaviourAxis> {
-    let settled: Vec<_> = told
+fn disputed(told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
+    let possible: Vec<_> = told.iter().map(|(_, told)| told.behaviours()).collect();
+    let settled: Vec<_> = possible
         .iter()
-        .map(|(_, possible)| (remaining(possible).settled(), possible[0]))
+        .map(|possible| (remaining(possible).settled(), possible[0]))
         .collect();
     let is_disputed = |axis: &BehaviourAxis| {
         let mut values = settled
@@ -206,8 +216,8 @@ fn disputed(told: &[(usize, &[Behaviour])]) -> Vec<BehaviourAxis> {
         values.any(|value| Some(value) != first)
     };
     let disputed: Vec<_> = BehaviourAxis::ALL.into_iter().filter(is_disputed).collect();
-    match told {
-        [(_, one), (_, other)] if disputed.is_empty() => one_choice_apart(one, other),
+    match &possible[..] {
+        [one, other] if disputed.is_empty() => one_choice_apart(one, other),
         _ => disputed,
     }
 }

@@ -1,13 +1,15 @@
 //! What a library is asked, what it printed, and what each behaviour would print.
 
-use crate::behaviour::Behaviour;
+use crate::behaviour::{Behaviour, BehaviourAxis};
 use crate::convention::{ComponentOrder, ComponentSign, Handedness, Perturbation};
 use crate::nearest_rotation::nearest;
 use crate::perturbation::IncrementSign;
 use crate::probe::MatrixLayout;
 use crate::quaternion::{hamilton_product, jpl_product};
+use crate::rotation::Rotation;
 use crate::rotation_matrix::CosineMatrix;
 use nalgebra::{Matrix3, Quaternion, Vector3};
+use std::collections::HashMap;
 
 /// Four numbers, with or without names.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,13 +33,14 @@ impl Numbers {
 }
 
 /// What goes in.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Question {
     Components(Numbers),
     Product(Numbers, Numbers),
     Rotate(Numbers, Vector3<f64>),
     Matrix(Numbers, MatrixLayout),
-    FromMatrix(Matrix3<f64>, MatrixLayout),
+    /// The rotations whose `R(q)` the matrix may be: two where its layout is not known.
+    FromMatrix(Vec<Rotation>),
     QuarterTurn,
     /// A quaternion, and the body-to-world quaternion of the turn that is added.
     Perturb(Numbers, Quaternion<f64>),
@@ -66,6 +69,37 @@ pub(crate) enum Answer {
 const SAME: f64 = 1e-6;
 
 impl Question {
+    /// The question for the quaternion of a matrix.
+    pub(crate) fn from_matrix(matrix: Matrix3<f64>, layout: MatrixLayout) -> Self {
+        // Once for all behaviours: it is the longest of all these computations.
+        let rotations = layouts(layout, matrix).filter_map(|matrix| nearest(&matrix));
+        Self::FromMatrix(rotations.collect())
+    }
+
+    /// The same for behaviours that print the same because no choice that matters here tells them apart:
+    /// what is computed for one of them holds for all.
+    pub(crate) fn key(&self, behaviour: &Behaviour) -> u16 {
+        behaviour.bits_of(match self {
+            Self::Components(..) => &[BehaviourAxis::Constructor, BehaviourAxis::Array],
+            Self::Product(..) => &[
+                BehaviourAxis::Constructor,
+                BehaviourAxis::Array,
+                BehaviourAxis::Handedness,
+            ],
+            Self::Rotate(..) => &[BehaviourAxis::Constructor, BehaviourAxis::Rotate],
+            Self::Matrix(..) => &[BehaviourAxis::Constructor, BehaviourAxis::Matrix],
+            Self::FromMatrix(..) => &[BehaviourAxis::Array, BehaviourAxis::Matrix],
+            Self::QuarterTurn => &[BehaviourAxis::Array, BehaviourAxis::Attitude],
+            Self::Perturb(..) => &[
+                BehaviourAxis::Constructor,
+                BehaviourAxis::Array,
+                BehaviourAxis::Attitude,
+                BehaviourAxis::Perturbation,
+                BehaviourAxis::IncrementSign,
+            ],
+        })
+    }
+
     /// What this behaviour prints: two possible answers where the layout is not known, none where it
     /// cannot print any.
     pub(crate) fn answers(&self, behaviour: &Behaviour) -> Vec<Answer> {
@@ -86,8 +120,8 @@ impl Question {
                 .flat_map(|matrix| layouts(layout, matrix))
                 .map(Answer::Matrix)
                 .collect(),
-            Self::FromMatrix(matrix, layout) => layouts(layout, matrix)
-                .filter_map(|matrix| nearest(&matrix))
+            Self::FromMatrix(ref rotations) => rotations
+                .iter()
                 .map(|rotation| {
                     Answer::Rotation(match behaviour.matrix {
                         CosineMatrix::Hamilton => *rotation.canonical(),
@@ -193,19 +227,30 @@ impl Question {
     /// Behaviours in groups that this question cannot tell apart.
     pub(crate) fn groups(&self, behaviours: &[Behaviour]) -> Vec<Vec<Behaviour>> {
         let mut groups: Vec<(Vec<Printed>, Vec<Behaviour>)> = Vec::new();
+        let mut group_of = HashMap::new();
         for behaviour in behaviours {
+            let key = self.key(behaviour);
+            if let Some((_, group)) = group_of
+                .get(&key)
+                .and_then(|&at: &usize| groups.get_mut(at))
+            {
+                group.push(*behaviour);
+                continue;
+            }
             let answers = self.answers(behaviour);
             let is_same = |printed: &[Printed]| {
                 let mut pairs = answers.iter().zip(printed);
                 pairs.all(|(answer, printed)| answer.distance(printed, behaviour.array) < SAME)
             };
-            match groups.iter_mut().find(|(printed, _)| is_same(printed)) {
+            let known = groups.iter().position(|(printed, _)| is_same(printed));
+            match known.and_then(|at| groups.get_mut(at)) {
                 Some((_, group)) => group.push(*behaviour),
                 None => {
                     let printed = answers.iter().map(|answer| answer.printed(behaviour.array));
                     groups.push((printed.collect(), vec![*behaviour]));
                 }
             }
+            group_of.insert(key, known.unwrap_or(groups.len() - 1));
         }
         groups.into_iter().map(|(_, group)| group).collect()
     }

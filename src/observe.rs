@@ -49,7 +49,7 @@ pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Pr
                 MatrixLayout::AsWritten => MatrixLayout::Rows,
                 known => *known,
             };
-            Question::FromMatrix(matrix(given, Field::Matrix)?, layout)
+            Question::from_matrix(matrix(given, Field::Matrix)?, layout)
         }
         Probe::QuarterTurn { .. } => Question::QuarterTurn,
         Probe::Perturb {
@@ -75,14 +75,10 @@ fn written_layout(layout: MatrixLayout, printed: &str, language: Language) -> Ma
     }
 }
 
-/// What came out; `None` where nothing was entered yet.
-pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
-    let text = probe.printed();
-    if text.trim().is_empty() {
-        return Ok(None);
-    }
-    let field = Field::Printed;
-    Ok(Some(match probe {
+/// What came out.
+pub(crate) fn printed(probe: &Probe) -> Result<Printed, Problem> {
+    let (text, field) = (probe.printed(), Field::Printed);
+    Ok(match probe {
         Probe::Rotate { .. } => Printed::Vector(parse_vector(text, field)?),
         Probe::Matrix { .. } => Printed::Matrix(matrix(text, field)?),
         Probe::Components { .. }
@@ -90,7 +86,7 @@ pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
         | Probe::FromMatrix { .. }
         | Probe::QuarterTurn { .. }
         | Probe::Perturb { .. } => Printed::Quaternion(numbers(text, field)?),
-    }))
+    })
 }
 
 /// How far the numbers may be rounded: half a unit of the last decimal, of what was printed and of

@@ -181,7 +181,9 @@ fn can_tell(library: &Library, console: &Console<'_>) -> Vec<BehaviourAxis> {
         BehaviourAxis::Handedness => has(ProbeKind::Product) || console.ij().is_some(),
         BehaviourAxis::Rotate => has(ProbeKind::Rotate),
         BehaviourAxis::Matrix => has(ProbeKind::Matrix) || has(ProbeKind::FromMatrix),
-        BehaviourAxis::Attitude | BehaviourAxis::Perturbation => false,
+        BehaviourAxis::Attitude | BehaviourAxis::Perturbation | BehaviourAxis::IncrementSign => {
+            false
+        }
     });
     axes
 }

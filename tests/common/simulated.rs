@@ -16,6 +16,8 @@ pub(crate) enum Noise {
     None,
     /// Single precision, after an error of a few units in its last place.
     Single,
+    /// The same, printed with so many decimals.
+    SingleInDecimals(usize),
     /// So many decimals.
     Rounded(usize),
 }
@@ -104,11 +106,14 @@ impl Simulated {
             .iter()
             .map(|&number| match self.noise {
                 Noise::None => format!("{number:?}"),
-                Noise::Single => {
+                Noise::Single | Noise::SingleInDecimals(_) => {
                     let error = 1.0 + (self.random() - 0.5) * 1e-6;
                     #[allow(clippy::cast_possible_truncation, reason = "that is the noise")]
                     let single = (number * error) as f32;
-                    format!("{single:?}")
+                    match self.noise {
+                        Noise::SingleInDecimals(decimals) => format!("{single:.decimals$}"),
+                        _ => format!("{single:?}"),
+                    }
                 }
                 Noise::Rounded(decimals) => format!("{number:.decimals$}"),
             })

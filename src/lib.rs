@@ -119,6 +119,9 @@ pub mod behaviour;
 /// What was tried on a library.
 pub mod probe;
 
+/// What a library means by three angles, by a matrix and by a small turn.
+pub mod recognition;
+
 // What the literature prints, in numbers.
 
 // The two sides of a statement.
@@ -300,6 +303,7 @@ pub use pose::{FramesDoNotMeet, Pose};
 pub use probe::{MatrixLayout, Probe, ProbeKind};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
+pub use recognition::{EulerReading, direction_of_yawed, function_of_chain, increment_of};
 pub use report::*;
 pub use representation::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,

@@ -174,6 +174,42 @@ fn rounded_numbers_are_believed_up_to_four_roundings() {
     assert!(!is_told_as("-10.0000 0.0210 0.0000"));
 }
 
+/// A wrong sign is no rounding.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_far_from_every_answer_is_not_believed_to_be_rounded() {
+    let components = |printed: &str| Probe::Components {
+        quaternion: "0.1 0.5 0.5 0.7".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let rotate = |printed: &str| Probe::Rotate {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        vector: "1 2 3".to_owned(),
+        printed: printed.to_owned(),
+    };
+    let quarter_turn = |printed: &str| Probe::QuarterTurn {
+        printed: printed.to_owned(),
+    };
+    let wrong = vec![
+        components("0.1 -0.5 -0.5 -0.7"),
+        rotate("3 1 3"),
+        quarter_turn("0.8 0 0 0.6"),
+    ];
+    for report in identify(wrong).observations {
+        assert!(
+            matches!(report, ObservationReport::Unexplained(_)),
+            "{report:?}"
+        );
+    }
+    for report in identify(vec![
+        quarter_turn("0.7 0 0 0.7"),
+        quarter_turn("0.71 0 0 0.71"),
+    ])
+    .observations
+    {
+        assert!(matches!(report, ObservationReport::Told(_)), "{report:?}");
+    }
+}
+
 /// With one decimal or none the roundings would allow anything.
 #[wasm_bindgen_test(unsupported = test)]
 fn coarse_numbers_have_a_limit() {

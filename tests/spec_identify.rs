@@ -9,12 +9,12 @@ mod reference;
 use common::{all_conventions, assert_close, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3, Vector4};
 use quatlas::{
-    AxisVector, ComponentOrder, Convention, Direction, EulerAxes, EulerFrame, EulerSequence,
-    Function, Handedness, IncrementSign, MatrixConvention, Perturbation, Rotation,
-    TaggedQuaternion,
+    AngleUnit, AxisVector, ComponentOrder, Convention, Direction, EulerFrame, EulerReading,
+    Function, Handedness, IncrementSign, MatrixConvention, Perturbation, Rotation, TaggedMatrix,
+    TaggedQuaternion, direction_of_yawed, function_of_chain, increment_of,
 };
-use reference::{CLOSE, assert_same, elementary, logarithm, sigma, tau, unit, unskew};
-use std::f64::consts::FRAC_PI_2;
+use reference::{CLOSE, assert_same, elementary, sigma, tau, unit};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 fn attitude(v: Vector3<f64>) -> Rotation {
     Rotation::from_rotation_vector_rad(v.into()).expect("finite")
@@ -25,28 +25,20 @@ fn sign_of(number: f64) -> f64 {
     number.signum()
 }
 
-/// Local or global, and whether the turn is positive, of a small increment (ε, 0, 0) to a body that is
-/// yawed by a quarter turn.
-fn axes_and_sign(before: Matrix3<f64>, after: Matrix3<f64>) -> (Perturbation, f64) {
-    let on_world = logarithm(&(after * before.transpose()));
-    if on_world.y.abs() > on_world.x.abs() {
-        (Perturbation::Local, sign_of(on_world.y))
-    } else {
-        (Perturbation::Global, sign_of(on_world.x))
-    }
-}
-
 /// FX-07: 16 libraries.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_convention_of_a_matrix_library_is_told() {
     let yawed = attitude(unit(2) * FRAC_PI_2);
     let rolled = attitude(unit(0) * 0.8);
+    let mut told = 0;
     for convention in MatrixConvention::all() {
         let of = |rotation: Rotation| rotation.to_tagged_matrix(convention).entries;
         // (2) Where x goes.
-        let seen_tau = sign_of((of(yawed) * unit(0)).y);
+        let image = of(yawed) * unit(0);
+        let operator = direction_of_yawed(image.into()).expect("one or the other");
+        let seen_tau = sign_of(image.y);
         assert_eq!(seen_tau, tau(convention.function, convention.direction));
-        let to_body_to_world = |m: Matrix3<f64>| if seen_tau > 0.0 { m } else { m.transpose() };
+        assert_eq!(operator, convention.operator());
         // (3) The labelled chain W → B → C with labels in the library's direction.
         let (m_wb, m_bc, m_wc) = (of(yawed), of(rolled), of(yawed * rolled));
         let (m_ab, m_bc, m_ac) = match convention.direction {
@@ -54,75 +46,181 @@ fn the_convention_of_a_matrix_library_is_told() {
             // The labels are C → B → W: A is C.
             Direction::BodyToWorld => (m_bc, m_wb, m_wc),
         };
-        let function = if (m_bc * m_ab - m_ac).amax() < CLOSE {
-            Function::Passive
-        } else {
-            assert_same("active", &(m_ab * m_bc), &m_ac, CLOSE);
-            Function::Active
+        let function = function_of_chain(&m_ab, &m_bc, &m_ac, CLOSE).expect("one or the other");
+        let direction = match function {
+            Function::Passive => operator,
+            Function::Active => operator.reversed(),
         };
-        assert_eq!(function, convention.function, "{convention}");
+        let seen = MatrixConvention {
+            function,
+            direction,
+        };
+        assert_eq!(seen, convention);
         for axes in [Perturbation::Local, Perturbation::Global] {
             for sign in [IncrementSign::Physical, IncrementSign::Formal] {
                 let before = yawed.to_tagged_matrix(convention);
                 let after = before.plus([0.01, 0.0, 0.0], axes, sign).expect("finite");
-                // (4) The turn that was added.
-                let [before, after] = [before, after].map(|m| to_body_to_world(m.entries));
-                let (seen_axes, seen_sign) = axes_and_sign(before, after);
-                let expected = match sign {
-                    IncrementSign::Physical => 1.0,
-                    IncrementSign::Formal => seen_tau,
+                // (4) The turn that was added, by what (2) and (3) told.
+                let [before, after] = [before, after].map(|matrix| {
+                    let matrix = TaggedMatrix {
+                        convention: seen,
+                        ..matrix
+                    };
+                    Rotation::nearest_to_matrix(&matrix)
+                        .expect("a rotation")
+                        .rotation
+                });
+                // Without a sign, τδ is δ where τ = 1.
+                let expected = if sign == IncrementSign::Formal && seen_tau < 0.0 {
+                    IncrementSign::Formal
+                } else {
+                    IncrementSign::Physical
                 };
                 assert_eq!(
-                    (seen_axes, seen_sign),
-                    (axes, expected),
+                    increment_of(&before, &after, [0.01, 0.0, 0.0]),
+                    Some((axes, expected)),
                     "{convention} {sign:?}"
                 );
+                told += 1;
             }
+        }
+    }
+    assert_eq!(told, 16);
+}
+
+/// FX-07: what is neither one nor the other is not told.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_tells_nothing_of_a_matrix_library_is_not_told() {
+    assert_eq!(
+        direction_of_yawed([0.0, 0.91, 0.0]),
+        Some(Direction::BodyToWorld)
+    );
+    assert_eq!(direction_of_yawed([0.0, 0.89, 0.0]), None);
+    assert_eq!(
+        direction_of_yawed([0.0, -0.91, 0.09]),
+        Some(Direction::WorldToBody)
+    );
+    assert_eq!(direction_of_yawed([0.11, -1.0, 0.0]), None);
+    assert_eq!(direction_of_yawed([f64::NAN, 1.0, 0.0]), None);
+    // Turns about one axis commute; and no chain is whole whose last matrix is another.
+    let [once, twice] = [1.0, 2.0].map(|times| elementary(2, 0.3 * times));
+    assert_eq!(function_of_chain(&once, &once, &twice, CLOSE), None);
+    assert_eq!(
+        function_of_chain(&once, &elementary(0, 0.3), &twice, CLOSE),
+        None
+    );
+    // About the body's own axis, twice the turn, and another one.
+    let yawed = attitude(unit(2) * FRAC_PI_2);
+    let told = |turn: Vector3<f64>, increment: [f64; 3]| {
+        increment_of(&yawed, &(yawed * attitude(turn)), increment)
+    };
+    let physical = Some((Perturbation::Local, IncrementSign::Physical));
+    assert_eq!(told(unit(0) * 0.1, [0.1, 0.0, 0.0]), physical);
+    assert_eq!(
+        told(unit(0) * 0.124, [0.1, 0.0, 0.0]),
+        physical,
+        "a quarter off"
+    );
+    assert_eq!(told(unit(0) * 0.126, [0.1, 0.0, 0.0]), None);
+    assert_eq!(told(unit(2) * 0.1, [0.0, 0.0, 0.1]), None, "on either axes");
+    assert_eq!(told(unit(2) * 0.1, [0.1, 0.0, 0.0]), None);
+    assert_eq!(told(unit(0) * 0.1, [f64::INFINITY, 0.0, 0.0]), None);
+    assert_eq!(told(unit(0) * 0.0, [0.0; 3]), None);
+}
+
+/// What a library that reads angles so prints, with so many decimals.
+fn rounded(matrix: Matrix3<f64>, decimals: i32) -> Matrix3<f64> {
+    let unit = 10.0_f64.powi(decimals);
+    matrix.map(|entry| (entry * unit).round() / unit)
+}
+
+/// The matrix of three angles by elementary turns alone.
+fn by_elementary_turns(reading: EulerReading, angles: [f64; 3]) -> Matrix3<f64> {
+    let axes = reading.sequence.axes.axes();
+    let [a, b, c] = [0, 1, 2].map(|slot| {
+        let angle_rad = match reading.unit {
+            AngleUnit::Radians => angles[slot],
+            AngleUnit::Degrees => angles[slot].to_radians(),
+        };
+        elementary(axes[slot].index(), angle_rad)
+    });
+    let body_to_world = match reading.sequence.frame {
+        EulerFrame::Intrinsic => a * b * c,
+        EulerFrame::Extrinsic => c * b * a,
+    };
+    match reading.direction {
+        Direction::BodyToWorld => body_to_world,
+        Direction::WorldToBody => body_to_world.transpose(),
+    }
+}
+
+/// FX-11: 48 libraries, and as many that take degrees, by one print with four decimals.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_sequence_and_direction_of_an_euler_library_are_told() {
+    let all: Vec<EulerReading> = EulerReading::all().collect();
+    assert_eq!(all.len(), 96);
+    for (angles, margin_deg) in [([0.7, -0.4, 1.1], 9.0_f64), ([30.0, 20.0, 10.0], 2.78)] {
+        let prints: Vec<Matrix3<f64>> = all
+            .iter()
+            .map(|reading| by_elementary_turns(*reading, angles))
+            .collect();
+        // In degrees the first are small turns, nearly the same in any order.
+        let is_told =
+            |reading: &EulerReading| angles[0] > 1.0 || reading.unit == AngleUnit::Radians;
+        for (reading, print) in all
+            .iter()
+            .zip(&prints)
+            .filter(|(reading, _)| is_told(reading))
+        {
+            assert_same(
+                "the matrix",
+                &reading.matrix(angles).expect("finite"),
+                print,
+                CLOSE,
+            );
+            let found = EulerReading::recognize(&[(angles, rounded(*print, 4))], 0.01);
+            let [(told, off_rad)] = &found[..] else {
+                panic!("{reading:?}: {found:?}")
+            };
+            assert_eq!(told, reading);
+            assert!(*off_rad < 2e-4, "{off_rad}");
+            // How near the nearest other one is, is what the tolerance may be.
+            let found = EulerReading::recognize(&[(angles, *print)], PI);
+            assert_eq!(found[0].0, *reading);
+            assert!(found[1].1.to_degrees() > margin_deg, "{:?}", found[1]);
+            assert!(found.is_sorted_by_key(|(_, off_rad)| *off_rad));
         }
     }
 }
 
-/// FX-11: 48 libraries, by the skew part of a small turn in each slot and one set of angles.
+/// FX-11 by its steps: a small turn in each slot tells the axes and the direction, one set of angles the
+/// frame; nothing that is no rotation is told.
 #[wasm_bindgen_test(unsupported = test)]
-fn the_sequence_and_direction_of_an_euler_library_are_told() {
-    let mut told = 0;
-    for sequence in EulerSequence::all() {
-        for direction in Direction::ALL {
-            let library = |angles: [f64; 3]| {
-                Rotation::from_euler_rad(sequence, angles)
-                    .expect("finite")
-                    .matrix(direction)
-            };
-            let mut seen_axes = [0; 3];
-            let mut seen_tau = 0.0;
-            for slot in 0..3 {
-                let mut angles = [0.0; 3];
-                angles[slot] = 0.01;
-                let m = library(angles);
-                let axis = unskew(&(m - m.transpose()));
-                seen_axes[slot] = axis.iamax();
-                seen_tau = sign_of(axis.sum());
-            }
-            let angles = [0.7, -0.4, 1.1];
-            let m = library(angles);
-            let r = if seen_tau > 0.0 { m } else { m.transpose() };
-            let [a, b, c] = [0, 1, 2].map(|slot| elementary(seen_axes[slot], angles[slot]));
-            let frame = if (a * b * c - r).amax() < CLOSE {
-                EulerFrame::Intrinsic
-            } else {
-                assert_same("fixed axes", &(c * b * a), &r, CLOSE);
-                EulerFrame::Extrinsic
-            };
-            let axes = EulerAxes::ALL
-                .into_iter()
-                .find(|axes| axes.axes().map(|axis| axis.index()) == seen_axes)
-                .expect("a sequence");
-            assert_eq!(EulerSequence { axes, frame }, sequence);
-            assert_eq!(seen_tau > 0.0, direction == Direction::BodyToWorld);
-            told += 1;
-        }
+fn small_turns_in_each_slot_leave_the_two_frames_of_a_sequence() {
+    let recognize = |prints: &[([f64; 3], Matrix3<f64>)]| {
+        let found = EulerReading::recognize(prints, 1e-3);
+        found
+            .into_iter()
+            .map(|(reading, _)| reading)
+            .collect::<Vec<_>>()
+    };
+    let in_radians = EulerReading::all().filter(|reading| reading.unit == AngleUnit::Radians);
+    for reading in in_radians {
+        let print = |angles| (angles, by_elementary_turns(reading, angles));
+        let slots = [[0.1, 0.0, 0.0], [0.0, 0.1, 0.0], [0.0, 0.0, 0.1]];
+        let mut prints = slots.map(print).to_vec();
+        let mut left = recognize(&prints);
+        assert_eq!(left.len(), 2, "{reading:?}: {left:?}");
+        left.retain(|other| other.sequence.frame == reading.sequence.frame);
+        assert_eq!(left, [reading]);
+        prints.push(print([0.7, -0.4, 1.1]));
+        assert_eq!(recognize(&prints), [reading]);
+        // The same print with another sign is that of no library.
+        let (angles, matrix) = print([0.7, -0.4, 1.1]);
+        assert_eq!(recognize(&[(angles, -matrix)]), []);
+        assert_eq!(recognize(&[(angles, matrix * f64::NAN)]), []);
+        assert_eq!(recognize(&[([f64::NAN; 3], matrix)]), []);
     }
-    assert_eq!(told, 48);
 }
 
 /// FX-19: the angle of the turn by (0, 0, 0.1) tells which vector it is; a quarter turn tells τ and σ.
@@ -287,22 +385,31 @@ fn the_convention_of_a_quaternion_library_is_told() {
             "{convention}"
         );
         // 6: the increment.
-        let to_body_to_world = |q: [f64; 4]| {
-            let m = library.matrix(q);
-            if seen_tau_of_matrix > 0.0 {
-                m
-            } else {
-                m.transpose()
-            }
+        let attitude_of = |q: [f64; 4]| {
+            let matrix = TaggedMatrix {
+                entries: library.matrix(q),
+                convention: if seen_tau_of_matrix > 0.0 {
+                    MatrixConvention::BODY_TO_WORLD
+                } else {
+                    MatrixConvention::WORLD_TO_BODY
+                },
+            };
+            Rotation::nearest_to_matrix(&matrix)
+                .expect("a rotation")
+                .rotation
         };
         let after = library.plus(q, [0.01, 0.0, 0.0]);
-        let (perturbation, seen_sign) = axes_and_sign(to_body_to_world(q), to_body_to_world(after));
-        let is_formal = sign == IncrementSign::Formal;
-        assert_eq!(
-            seen_sign,
-            if is_formal { seen_sigma } else { 1.0 },
-            "{convention}"
-        );
+        let told_of_increment =
+            increment_of(&attitude_of(q), &attitude_of(after), [0.01, 0.0, 0.0]);
+        let (perturbation, seen_sign) = told_of_increment.expect("one of the four");
+        // Without a sign, σδ is δ where σ = 1.
+        let is_formal = sign == IncrementSign::Formal && seen_sigma < 0.0;
+        let expected = if is_formal {
+            IncrementSign::Formal
+        } else {
+            IncrementSign::Physical
+        };
+        assert_eq!(seen_sign, expected, "{convention}");
         // 7: the labelled chain, with τ.
         let rolled = attitude(unit(0) * 0.8);
         let [q_wb, q_bc, q_wc] = [yawed, rolled, yawed * rolled].map(|r| library.array(&r));

@@ -180,7 +180,7 @@ fn contradiction(told: &[(usize, &Agreeing)]) -> Option<Contradiction> {
     });
     let disagreeing = pair.unwrap_or_else(|| without_bystanders(told));
     Some(Contradiction {
-        about: disputed(&disagreeing),
+        about: disputed(&disagreeing, told),
         observations: disagreeing.iter().map(|(at, _)| *at).collect(),
     })
 }
@@ -199,13 +199,42 @@ fn without_bystanders<'a>(told: &[(usize, &'a Agreeing)]) -> Vec<(usize, &'a Agr
     needed
 }
 
-/// The choices that two of the observations settle differently; of a pair that settles none so, those
-/// that alone keep the two apart.
-fn disputed(told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
-    let possible: Vec<_> = told.iter().map(|(_, told)| told.behaviours()).collect();
-    let settled: Vec<_> = possible
+/// The choices about which some of the observations disagree.
+fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
+    let alone: Vec<_> = disagreeing
         .iter()
-        .map(|possible| (remaining(possible).settled(), possible[0]))
+        .map(|(_, told)| told.behaviours())
+        .collect();
+    let disputed = settled_differently(&alone);
+    let [one, another] = disagreeing else {
+        return disputed;
+    };
+    if !disputed.is_empty() {
+        return disputed;
+    }
+    // A small turn ties three choices together and settles none; all the other observations may.
+    let with_others = |own: usize| {
+        let counts = |at: usize| at == own || (at != one.0 && at != another.0);
+        let counted = told.iter().filter(|(at, _)| counts(*at)).copied();
+        agreeing(&counted.collect::<Vec<_>>())
+    };
+    let together = [with_others(one.0), with_others(another.0)];
+    let sides = if together.iter().any(Vec::is_empty) {
+        &alone[..]
+    } else {
+        &together
+    };
+    match settled_differently(sides) {
+        none if none.is_empty() => one_choice_apart(sides),
+        disputed => disputed,
+    }
+}
+
+/// The choices that two of these have settled to different values.
+fn settled_differently(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
+    let settled: Vec<_> = sides
+        .iter()
+        .filter_map(|possible| Some((remaining(possible).settled(), possible.first()?)))
         .collect();
     let is_disputed = |axis: &BehaviourAxis| {
         let mut values = settled
@@ -215,18 +244,14 @@ fn disputed(told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
         let first = values.next();
         values.any(|value| Some(value) != first)
     };
-    let disputed: Vec<_> = BehaviourAxis::ALL.into_iter().filter(is_disputed).collect();
-    match &possible[..] {
-        [one, other] if disputed.is_empty() => one_choice_apart(one, other),
-        _ => disputed,
-    }
+    BehaviourAxis::ALL.into_iter().filter(is_disputed).collect()
 }
 
-/// The choices of which another value makes what one observation allows what the other allows.
-///
-/// A small turn ties three choices together and settles none; two that differ in their sign differ in
-/// nothing else.
-fn one_choice_apart(one: &[Behaviour], other: &[Behaviour]) -> Vec<BehaviourAxis> {
+/// The choices of which another value makes what one side allows what the other allows.
+fn one_choice_apart(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
+    let [one, other] = sides else {
+        return Vec::new();
+    };
     let is_apart_by = |axis: &BehaviourAxis| {
         let mut changed = one.iter().map(|behaviour| behaviour.with_other(*axis));
         changed.any(|behaviour| other.contains(&behaviour))

@@ -16,6 +16,10 @@ use nalgebra::{Matrix3, Quaternion};
 /// Fewer decimals than these are taken for exact in what went in, such as 0.5.
 const ROUNDED_DECIMALS: usize = 3;
 
+/// No library prints more of one quaternion, vector or matrix; and all observations are read again with every
+/// letter, so that together they must not be long.
+const LONGEST_TEXT_BYTES: usize = 4096;
+
 /// What goes in.
 pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Problem> {
     Ok(match probe {
@@ -29,7 +33,7 @@ pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Pr
             quaternion, vector, ..
         } => Question::Rotate(
             numbers(quaternion, Field::Quaternion)?,
-            parse_vector(vector, Field::Vector)?,
+            parse_vector(measured(vector, Field::Vector)?, Field::Vector)?,
         ),
         Probe::Matrix {
             quaternion,
@@ -79,7 +83,7 @@ fn written_layout(layout: MatrixLayout, printed: &str, language: Language) -> Ma
 pub(crate) fn printed(probe: &Probe) -> Result<Printed, Problem> {
     let (text, field) = (probe.printed(), Field::Printed);
     Ok(match probe {
-        Probe::Rotate { .. } => Printed::Vector(parse_vector(text, field)?),
+        Probe::Rotate { .. } => Printed::Vector(parse_vector(measured(text, field)?, field)?),
         Probe::Matrix { .. } => Printed::Matrix(matrix(text, field)?),
         Probe::Components { .. }
         | Probe::Product { .. }
@@ -111,8 +115,19 @@ fn decimals(text: &str) -> usize {
         .unwrap_or(0)
 }
 
+/// The text, if it is not too long to be worked on.
+fn measured(text: &str, field: Field) -> Result<&str, Problem> {
+    if text.len() > LONGEST_TEXT_BYTES {
+        let span = Span::of_trimmed(text);
+        let fault = Fault::text_too_long(span, text.len(), LONGEST_TEXT_BYTES);
+        return Err(fault.in_field(field));
+    }
+    Ok(text)
+}
+
 /// Four numbers: with names where the text tells which is which, and else as they stand.
 fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
+    let text = measured(text, field)?;
     let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
     let Quaternion { coords } = parsed.quaternion;
     if coords.amax() == 0.0 {
@@ -153,6 +168,7 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
         let fault = Fault::not_a_matrix(Span::of_trimmed(text), what);
         fault.in_field(field)
     };
+    let text = measured(text, field)?;
     if let Some(entries) = console::homogeneous(text) {
         return Ok(entries);
     }
@@ -173,6 +189,6 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
 
 fn turn(text: &str) -> Result<Quaternion<f64>, Problem> {
     let field = Field::RotationVector;
-    let vector_rad = parse_vector(text, field)?;
+    let vector_rad = parse_vector(measured(text, field)?, field)?;
     exponential(vector_rad).map_err(|_| Fault::too_large(Span::of_trimmed(text)).in_field(field))
 }

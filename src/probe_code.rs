@@ -163,7 +163,8 @@ pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
                 _ => number.to_owned(),
             })
         });
-        let written = written.collect::<Option<Vec<_>>>()?;
+        // One more than wanted is too many: the rest need not be read.
+        let written = written.take(count + 1).collect::<Option<Vec<_>>>()?;
         (written.len() == count).then_some(written)
     };
     let quaternion = |text: &str| Some(idiom.quaternion.replace("{n}", &list(text, 4)?.join(", ")));

@@ -263,19 +263,43 @@ fn the_formal_sign_of_a_matrix_is_told_of_its_canonical_quaternion() {
     }
 }
 
-/// Two small turns that differ in one choice alone: it is named, though neither settles it.
+/// Two small turns that disagree, though neither settles any choice: by what one choice makes of one the
+/// other, or by what is settled with the other observations.
 #[wasm_bindgen_test(unsupported = test)]
 fn two_small_turns_that_disagree_say_about_what() {
     let (exp, inverse) = (exponential(), inverse_exponential());
+    let (attitude, axes, sign) = (
+        BehaviourAxis::Attitude,
+        BehaviourAxis::Perturbation,
+        BehaviourAxis::IncrementSign,
+    );
     let first = hamilton(exp, HALVES);
-    for (second, about) in [
-        (hamilton(HALVES, exp), BehaviourAxis::Perturbation),
-        (hamilton(inverse, HALVES), BehaviourAxis::IncrementSign),
-        (hamilton(HALVES, inverse), BehaviourAxis::Attitude),
+    for (second, alone, with_the_attitude) in [
+        (hamilton(HALVES, exp), axes, &[axes][..]),
+        (hamilton(inverse, HALVES), sign, &[sign]),
+        // With the inverse of the attitude this is the same; else both others differ.
+        (hamilton(HALVES, inverse), attitude, &[axes, sign]),
     ] {
-        let report = identify(vec![perturb(first), quarter_turn(1.0), perturb(second)]);
-        let contradiction = report.contradiction.expect("they contradict");
-        assert_eq!(contradiction.observations, [0, 2]);
-        assert_eq!(contradiction.about, [about]);
+        let about = |observations: Vec<Probe>| {
+            let contradiction = identify(observations).contradiction;
+            let contradiction = contradiction.expect("they contradict");
+            assert_eq!(contradiction.observations, [0, 1]);
+            contradiction.about
+        };
+        assert_eq!(about(vec![perturb(first), perturb(second)]), [alone]);
+        assert_eq!(
+            about(vec![perturb(first), perturb(second), quarter_turn(1.0)]),
+            with_the_attitude
+        );
+        // Where the others contradict each other too, they settle nothing.
+        assert_eq!(
+            about(vec![
+                perturb(first),
+                perturb(second),
+                quarter_turn(1.0),
+                quarter_turn(-1.0)
+            ]),
+            [alone]
+        );
     }
 }

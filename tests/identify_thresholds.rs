@@ -9,8 +9,8 @@ mod simulated;
 use common::wasm_bindgen_test;
 use identified::{answer, follow, identify};
 use quatlas::{
-    Behaviour, BehaviourAxis, CosineMatrix, Handedness, IdentifyRequest, ObservationReport, Probe,
-    ProbeKind,
+    Behaviour, BehaviourAxis, CosineMatrix, Field, Handedness, IdentifyRequest, MatrixLayout,
+    ObservationReport, Probe, ProbeKind, ProblemCode,
 };
 use simulated::{Noise, Simulated};
 
@@ -267,6 +267,111 @@ fn the_sign_of_a_product_tells_where_nothing_else_does() {
     };
     assert_eq!(hands("0.0000004"), [Handedness::Right]);
     assert_eq!(hands("0.0000006"), Handedness::ALL);
+}
+
+/// Sixteen observations are read again with every letter: a text that no library prints is measured, and not
+/// worked on.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_text_longer_than_any_print_is_measured_before_it_is_read() {
+    let filled = |text: &str, bytes: usize| format!("{text}{}", " ".repeat(bytes - text.len()));
+    let (quaternion, vector, matrix) = ("w: 1, x: 0, y: 0, z: 0", "1 2 3", "1 0 0\n0 1 0\n0 0 1");
+    let text = str::to_owned;
+    let probes = |fill: &dyn Fn(&str) -> String| {
+        let printed = text(quaternion);
+        [
+            (
+                Field::Quaternion,
+                Probe::Components {
+                    quaternion: fill(quaternion),
+                    printed: printed.clone(),
+                },
+            ),
+            (
+                Field::A,
+                Probe::Product {
+                    a: fill(quaternion),
+                    b: text(quaternion),
+                    printed: printed.clone(),
+                },
+            ),
+            (
+                Field::B,
+                Probe::Product {
+                    a: text(quaternion),
+                    b: fill(quaternion),
+                    printed: printed.clone(),
+                },
+            ),
+            (
+                Field::Vector,
+                Probe::Rotate {
+                    quaternion: text(quaternion),
+                    vector: fill(vector),
+                    printed: text(vector),
+                },
+            ),
+            (
+                Field::Printed,
+                Probe::Rotate {
+                    quaternion: text(quaternion),
+                    vector: text(vector),
+                    printed: fill(vector),
+                },
+            ),
+            (
+                Field::Printed,
+                Probe::Matrix {
+                    quaternion: text(quaternion),
+                    printed: fill(matrix),
+                    layout: MatrixLayout::Rows,
+                },
+            ),
+            (
+                Field::Matrix,
+                Probe::FromMatrix {
+                    matrix: fill(matrix),
+                    layout: MatrixLayout::Rows,
+                    printed: printed.clone(),
+                },
+            ),
+            (
+                Field::Printed,
+                Probe::FromMatrix {
+                    matrix: text(matrix),
+                    layout: MatrixLayout::Rows,
+                    printed: fill(quaternion),
+                },
+            ),
+            (
+                Field::RotationVector,
+                Probe::Perturb {
+                    quaternion: text(quaternion),
+                    rotation_vector: fill("0 0 0"),
+                    printed,
+                },
+            ),
+        ]
+    };
+    for (_, probe) in probes(&|text| filled(text, 4096)) {
+        assert!(is_told(probe));
+    }
+    for (field, probe) in probes(&|text| filled(text, 4097)) {
+        let length = probe.text(field).trim_end().len();
+        let report = identify(vec![probe]);
+        let [ObservationReport::Problem(found)] = &report.observations[..] else {
+            panic!("{report:#?}")
+        };
+        let problem = &found.problem;
+        assert_eq!(
+            (problem.code, problem.field),
+            (ProblemCode::TextTooLong, field)
+        );
+        assert_eq!((problem.span.start, problem.span.end), (0, length));
+        assert_eq!(
+            problem.message,
+            "the text has 4097 bytes; at most 4096 are read"
+        );
+    }
 }
 
 /// Of observations that do not agree a pair is named where one exists, though others need three.

@@ -45,7 +45,7 @@ async function answer(page: Page, ...answers: string[]) {
 test("opens on a library with JPL's product that is not JPL", async ({ page }) => {
   await page.goto("/#identify");
   await expect(page.getByText("an example")).toBeVisible();
-  await expect(page.locator(".left")).toHaveText("4 of 128 behaviours are left");
+  await expect(page.locator(".left")).toHaveText("8 of 256 behaviours are left");
   await expect(page.getByRole("region", { name: "Between Hamilton and JPL" })).toContainText(
     "Not JPL: Shuster product, but R(q).",
   );
@@ -90,9 +90,48 @@ test("the same three questions tell DirectXMath from JPL", async ({ page }) => {
   // And on to the last choice: the sheet says when there is nothing left to ask.
   await page.keyboard.type("0.52 0.52 0.47 0.47");
   await page.keyboard.press("Enter");
-  await expect(page.locator(".left")).toHaveText("1 of 128 behaviours is left");
+  await expect(page.locator(".left")).toHaveText("2 of 256 behaviours are left");
+  await page.keyboard.type("0 0 0.71 0.71");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".left")).toHaveText("1 of 256 behaviours is left");
   await expect(page.locator(".no-question")).toContainText("all that numbers can tell is settled");
   await expect(sentence(page)).toBeFocused();
+});
+
+test("a small turn alone settles nothing of its axes and its sign; the quarter turn tells a formal sign", async ({
+  page,
+}) => {
+  await startEmpty(page);
+  await answer(page, "0 0 0 1", "3 1 2", "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]");
+  // Exp(φ) on the left of the numbers: the world's axes, or the body's with the formal sign.
+  await page.keyboard.type("0.474 0.524 0.474 0.524");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".choices")).toContainText("0 of 3 settled");
+  const axes = row(page, "Small turn on the axes of");
+  const sign = row(page, "Small turn φ turns the body by");
+  for (const choice of [axes, sign, row(page, "Body yawed")]) {
+    await expect(choice.locator(".open")).toHaveCount(2);
+  }
+  await expect(sentence(page)).not.toContainText("small turn");
+  const follows = page.getByRole("region", { name: "Between Hamilton and JPL" });
+  await expect(follows).toContainText("a body turned by a quarter tell together");
+  await expect(page.getByRole("heading", { name: "a body turned by a quarter" })).toBeVisible();
+  await page.keyboard.type("0.707 0 0 -0.707");
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".left")).toHaveText("1 of 256 behaviours is left");
+  await expect(axes.locator(".settled")).toContainText("the body");
+  await expect(sign.locator(".settled")).toContainText("−φ, formal sign");
+  await expect(sentence(page)).toContainText(
+    "adds small turns on the axes of the body with the formal sign (phi turns the body by -phi)",
+  );
+  await expect(follows).toContainText("turns the body by −φ: the formal sign");
+  // Another small turn that disagrees does so about its sign alone.
+  await page.getByRole("button", { name: /^a small turn added/ }).click();
+  await printed(page, 6).fill("0.524 0.474 0.524 0.474");
+  await expect(page.locator(".contradiction")).toContainText(
+    "Observations 4 and 6 cannot both be true: they disagree about the sign of a small turn.",
+  );
+  await expect(page.locator(".claims tr")).toContainText(["−φ, formal sign", "φ, physical sign"]);
 });
 
 test("Enter makes a new line until nine numbers are there", async ({ page }) => {
@@ -247,7 +286,7 @@ const states: Record<string, string> = {
   "the example": "identify",
   "an empty sheet": "identify?name=&probe=",
   "everything settled":
-    "identify?probe=product;0+1+0+0;0+0+1+0;0+0+0+1&probe=rotate;0.5+0.5+0.5+0.5;1+2+3;3+1+2&probe=matrix;0.5+0.5+0.5+0.5;0+0+1+1+0+0+0+1+0&probe=perturb;0.5+0.5+0.5+0.5;0.1+0+0;0.473+0.523+0.523+0.473",
+    "identify?probe=product;0+1+0+0;0+0+1+0;0+0+0+1&probe=rotate;0.5+0.5+0.5+0.5;1+2+3;3+1+2&probe=matrix;0.5+0.5+0.5+0.5;0+0+1+1+0+0+0+1+0&probe=perturb;0.5+0.5+0.5+0.5;0.1+0+0;0.473+0.523+0.523+0.473&probe=quarter-turn;0.7071+0+0+0.7071",
   "a contradiction":
     "identify?probe=product;0+1+0+0;0+0+1+0;0+0+0+1&probe=product;0+1+0+0;0+0+1+0;0+0+0+-1",
   "a problem and an unexplained one":

@@ -173,6 +173,24 @@ test("a library is told from what it printed, and problems stay at their observa
   assert.equal(observation.problem.span.end, 2);
 });
 
+test("a small turn with the formal sign is told by the quarter turn", () => {
+  const half = "w: 0.5, x: 0.5, y: 0.5, z: 0.5";
+  // The exponential of φ on the left of the numbers as they stand.
+  const printed = "w: 0.474385, x: 0.524365, y: 0.474385, z: 0.524365";
+  const small = { probe: "perturb", quaternion: half, rotationVector: "0.1 0 0", printed };
+  const yawed = { probe: "quarter-turn", printed: "w: 0.7071, x: 0, y: 0, z: -0.7071" };
+  const alone = quatlas.identify({ observations: [small] });
+  assert.deepEqual(alone.settled, []);
+  assert.deepEqual(alone.remaining.incrementSign, ["physical", "formal"]);
+  const { settled, remaining, contradiction } = quatlas.identify({ observations: [small, yawed] });
+  assert.deepEqual(settled, ["attitude", "perturbation", "incrementSign"]);
+  assert.deepEqual(
+    settled.map((choice) => remaining[choice]),
+    [["conjugated"], ["local"], ["formal"]],
+  );
+  assert.equal(contradiction, undefined);
+});
+
 test("the table of libraries is exported, with what was printed", () => {
   const read = (name) => JSON.parse(readFileSync(join(installed, "dist/npm", name), "utf8"));
   assert.deepEqual(quatlas.libraries, read("libraries.json"));

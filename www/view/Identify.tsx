@@ -108,6 +108,23 @@ const examples: {
     },
   },
   {
+    name: "formal",
+    change: {
+      observations: [
+        product("0 0 0 1"),
+        rotated("3 1 2"),
+        {
+          probe: "perturb",
+          quaternion: half,
+          rotationVector: "0.1 0 0",
+          printed: "0.474385 0.524365 0.474385 0.524365",
+        },
+        { probe: "quarter-turn", printed: "0.707107 0 0 -0.707107" },
+      ],
+      libraryName: "X",
+    },
+  },
+  {
     name: "contradiction",
     change: {
       observations: [

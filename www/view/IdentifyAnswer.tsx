@@ -1,4 +1,4 @@
-// What is known of the library: a sentence, and the seven choices with the values that are left.
+// What is known of the library: a sentence, and the eight choices with the values that are left.
 import type { BehaviourAxis, IdentifyReport } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { unnamed } from "../words/identify.tsx";

@@ -19,7 +19,9 @@ export function ContradictionWords({ store, found }: { store: Store; found: Cont
               <td>
                 {says.length > 0
                   ? listed(says.map(({ choice, value }) => wordsOfValue(choice, value)))
-                  : words.withOthers}
+                  : found.about.length > 0
+                    ? words.openAlone
+                    : words.withOthers}
               </td>
               <td class="claim-without">{words.without(leavesWithout)}</td>
             </tr>

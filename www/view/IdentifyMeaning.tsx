@@ -107,7 +107,7 @@ function Value({ value }: { value: Handedness | CosineMatrix }) {
 }
 
 function Follows({ report: { remaining } }: { report: IdentifyReport }) {
-  const { firstToAct, direction } = remaining;
+  const { firstToAct, direction, perturbation, incrementSign } = remaining;
   return (
     <ul class="notes follows">
       <li>
@@ -119,6 +119,14 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
         {direction.length === 1 && direction[0]
           ? words.takes(takesWords[direction[0]])
           : words.takesOpen}
+      </li>
+      <li>
+        {perturbation.length === 1 &&
+        perturbation[0] &&
+        incrementSign.length === 1 &&
+        incrementSign[0]
+          ? words.smallTurn(perturbation[0], incrementSign[0])
+          : words.smallTurnOpen}
       </li>
       {settledValue(remaining, "rotate") && settledValue(remaining, "matrix") && (
         <li>

@@ -83,13 +83,19 @@ export interface Claim {
   leavesWithout: number;
 }
 
-/** What each of the observations that contradict each other says alone. */
+/** What each of the observations that contradict each other says: alone, or with those that do not. */
 export function claims(store: Store, { observations, about }: Contradiction): Claim[] {
   return observations.map((at) => {
     const probe = store.state.value.observations[at];
     const alone = probe && ask(store, [probe]);
+    const withOthers = answerWithout(
+      store,
+      observations.filter((other) => other !== at),
+    );
     const says = about.flatMap((choice) => {
-      const value = alone && settledValue(alone.remaining, choice);
+      const value =
+        (alone && settledValue(alone.remaining, choice)) ??
+        (withOthers && settledValue(withOthers.remaining, choice));
       return value === undefined ? [] : [{ choice, value }];
     });
     return { at, says, leavesWithout: answerWithout(store, [at])?.possible ?? 0 };

@@ -1,4 +1,4 @@
-// The probes and the seven choices of the Identify view, in the order in which they are shown.
+// The probes and the eight choices of the Identify view, in the order in which they are shown.
 import type { Preset } from "../address.ts";
 import type { BehaviourAxis, Family, Language, ProbeKind, Remaining } from "../engine.ts";
 import { languageNames } from "../words/library_behaviour.ts";
@@ -19,7 +19,9 @@ export const codeLanguages = (Object.keys(languageNames) as Language[]).filter(
 export const choicesOfLibrary = [
   ...(["constructor", "array", "handedness", "rotate", "matrix"] as const),
 ] satisfies BehaviourAxis[];
-export const choicesOfUse = ["attitude", "perturbation"] as const satisfies BehaviourAxis[];
+export const choicesOfUse = [
+  ...(["attitude", "perturbation", "incrementSign"] as const),
+] satisfies BehaviourAxis[];
 
 /** Both values of each choice. */
 export const valuesOf: {
@@ -32,6 +34,7 @@ export const valuesOf: {
   matrix: ["R", "C"],
   attitude: ["canonical", "conjugated"],
   perturbation: ["local", "global"],
+  incrementSign: ["physical", "formal"],
 };
 
 /** The convention that has a value as its own. */

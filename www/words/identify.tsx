@@ -18,6 +18,7 @@ export const exampleNames = {
   "not-jpl": "ij = −k and yet not JPL",
   stored: "Hamilton, stored x y z w",
   rounded: "Rounded, and −q",
+  formal: "A formal sign",
   contradiction: "A contradiction",
 };
 

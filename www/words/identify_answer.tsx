@@ -1,8 +1,11 @@
 // What is said of the library that is asked about.
+import { allBehaviours } from "./observations.ts";
 import { numbered } from "./phrases.ts";
 
 export const left = (possible: number) =>
-  possible === 1 ? "1 of 128 behaviours is left" : `${possible} of 128 behaviours are left`;
+  possible === 1
+    ? `1 of ${allBehaviours} behaviours is left`
+    : `${possible} of ${allBehaviours} behaviours are left`;
 
 export const copied = "the sentence for an issue";
 export const fromBeforeContradiction =
@@ -18,7 +21,7 @@ export const uncounted = (places: readonly number[]) =>
 
 export const choices = (
   <>
-    <span class="visually-hidden">The seven choices and the values that are left. </span>
+    <span class="visually-hidden">The eight choices and the values that are left. </span>
     <var>R</var>(<var>q</var>) is Hamilton's matrix, and <var>C</var>(<var>q</var>) its transpose.
   </>
 );

@@ -1,6 +1,6 @@
 // What is said of observations that contradict each other.
 import type { BehaviourAxis, Contradiction } from "../engine.ts";
-import { aboutOf, checkSource, checks } from "./observations.ts";
+import { aboutOf, allBehaviours, checkSource, checks } from "./observations.ts";
 import { numbered } from "./phrases.ts";
 
 export const message = ({ observations, about }: Contradiction) =>
@@ -10,9 +10,12 @@ export const message = ({ observations, about }: Contradiction) =>
 
 export const claims = "What each of them says";
 export const withOthers = "only with the others";
+export const openAlone = "leaves it open by itself";
 
 export const without = (left: number) =>
-  left === 0 ? "without it the others still disagree" : `without it ${left} of 128 left`;
+  left === 0
+    ? "without it the others still disagree"
+    : `without it ${left} of ${allBehaviours} left`;
 
 export const check = (about: readonly BehaviourAxis[]) => (
   <>

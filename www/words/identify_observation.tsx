@@ -1,6 +1,6 @@
 // The words of one observation: what its parts are called, and what it tells.
 import type { BehaviourAxis, Problem } from "../engine.ts";
-import { aboutOf, unexplainedAdvice } from "./observations.ts";
+import { aboutOf, allBehaviours, unexplainedAdvice } from "./observations.ts";
 import { numbered } from "./phrases.ts";
 
 /** What a field or a button belongs to. */
@@ -40,7 +40,7 @@ export const told = (settled: readonly BehaviourAxis[], possible: number) => (
         Settles <strong>{aboutOf(settled)}</strong>
       </>
     )}
-    ; {possible} of 128 behaviours print this.
+    ; {possible} of {allBehaviours} behaviours print this.
   </>
 );
 

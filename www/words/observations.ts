@@ -1,4 +1,4 @@
-// What is observed of a library and what that settles: the probes, the seven choices, what to check.
+// What is observed of a library and what that settles: the probes, the eight choices, what to check.
 import type {
   BehaviourAxis,
   ComponentOrder,
@@ -6,6 +6,7 @@ import type {
   CosineMatrix,
   Family,
   Handedness,
+  IncrementSign,
   MatrixLayout,
   Perturbation,
   ProbeKind,
@@ -40,7 +41,7 @@ export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
   },
   perturb: {
     name: "a small turn added",
-    asks: "What is q after the small turn φ of the body was added, in radians?",
+    asks: "What is q after the library added the small turn φ, in radians? With a body turned by a quarter it tells the axes and the sign.",
   },
 };
 
@@ -61,6 +62,7 @@ export interface ChoiceValues {
   matrix: CosineMatrix;
   attitude: ComponentSign;
   perturbation: Perturbation;
+  incrementSign: IncrementSign;
 }
 
 /** The name of a choice, as what it is settled or disputed, and its values. */
@@ -109,7 +111,15 @@ export const choiceWords: {
     about: "the axes of a small turn",
     values: { local: "the body", global: "the world" },
   },
+  incrementSign: {
+    name: "Small turn φ turns the body by",
+    about: "the sign of a small turn",
+    values: { physical: "φ, physical sign", formal: "−φ, formal sign" },
+  },
 };
+
+/** How many behaviours there are: each choice has two values. */
+export const allBehaviours = 2 ** Object.keys(choiceWords).length;
 
 /** As what choices are settled or disputed. */
 export const aboutOf = (choices: readonly BehaviourAxis[]) =>
@@ -139,6 +149,7 @@ export const checks: Record<BehaviourAxis, string> = {
   matrix: "whether the nine numbers run row by row: choose column by column, or not sure",
   attitude: "which quaternion of the body it is: of body to world, or of world to body",
   perturbation: "on whose axes φ was meant",
+  incrementSign: "whether φ was added, not subtracted, and not an error of the other sign",
 };
 
 /** What to look at besides. */

@@ -13,8 +13,8 @@ use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
     AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles,
-    ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
+    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix, ReadAxisAngle,
+    ReadEulerAngles, ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
     UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
@@ -203,8 +203,17 @@ impl Attitude {
                 .rotate_within_range(vector, direction)
                 .as_ref()
                 .map(coordinates),
-            left_product_matrix: rows4(&unit.left_product_matrix()),
-            right_product_matrix: rows4(&unit.right_product_matrix()),
+            left_product_matrix: rows4(&quaternion.left_product_matrix()),
+            right_product_matrix: rows4(&quaternion.right_product_matrix()),
+            rules: rules(convention),
+        }
+    }
+
+    pub(crate) fn paired(&self, convention: MatrixConvention) -> PairedMatrix {
+        PairedMatrix {
+            convention,
+            rows: rows3(&self.rotation.to_tagged_matrix(convention).entries),
+            form: self.declared.cosine_matrix(convention),
         }
     }
 
@@ -365,6 +374,8 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
             distance_deg: plain(lock.distance_rad.to_degrees()),
         }),
         near_lock_deg: is_near.then(|| distance_rad.to_degrees()),
+        free_sequence: (is_near || found.gimbal_lock.is_some())
+            .then(|| rotation.free_euler_sequence(sequence)),
     }
 }
 

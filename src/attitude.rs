@@ -249,11 +249,11 @@ impl Attitude {
         if self.rotation.axis().is_none() {
             return Some(Fact::NoTurn);
         }
-        let unit = self.rotation.to_tagged(self.declared).components;
-        let scalar = unit.w.abs();
-        if scalar <= HALF_TURN_SCALAR {
+        if is_half_turn(&self.rotation) {
             return Some(Fact::HalfTurn);
         }
+        let unit = self.rotation.to_tagged(self.declared).components;
+        let scalar = unit.w.abs();
         let angle_rad = self.rotation.angle_rad();
         if angle_rad < NEARLY_RAD {
             let error = ROUNDING_OF_SIX_DECIMALS / unit.vector().norm();
@@ -321,6 +321,12 @@ impl Attitude {
     }
 }
 
+/// Whether the turn is half a turn but for the rounding of a cosine.
+fn is_half_turn(rotation: &Rotation) -> bool {
+    let unit = rotation.to_tagged(Convention::HAMILTON).components;
+    unit.w.abs() <= HALF_TURN_SCALAR
+}
+
 /// The unit that was assumed, and the texts that say it.
 fn unit_assumed(text: &str, unit: AngleUnit) -> AngleUnitAssumed {
     let written = |unit: AngleUnit, word: &str| {
@@ -381,8 +387,9 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
 
 pub(crate) fn turn(rotation: &Rotation) -> Turn {
     let angle_rad = rotation.angle_rad();
+    let gibbs_vector = rotation.gibbs_vector().filter(|_| !is_half_turn(rotation));
     Turn {
-        gibbs_vector: rotation.gibbs_vector().as_ref().map(coordinates),
+        gibbs_vector: gibbs_vector.as_ref().map(coordinates),
         modified_rodrigues_parameters: coordinates(&rotation.modified_rodrigues_parameters()),
         angle_rad: plain(angle_rad),
         angle_deg: plain(angle_rad.to_degrees()),

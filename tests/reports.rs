@@ -114,6 +114,26 @@ fn the_matrix_of_the_chosen_pairing_is_in_the_report() {
     }
 }
 
+/// Half a turn has no Gibbs vector, also where the cosine of 90° is rounded.
+#[wasm_bindgen_test(unsupported = test)]
+fn half_a_turn_has_no_gibbs_vector() {
+    for text in [
+        "180deg about [1, 2, 3]",
+        "rotvec 0 pi 0",
+        "0 0 0 1",
+        "ZYX 180deg 0 0",
+    ] {
+        let turn = read(text, "1 0 0", Convention::HAMILTON).turn;
+        assert_eq!(turn.gibbs_vector, None, "{text}");
+        let length = turn.modified_rodrigues_parameters.map(|part| part * part);
+        assert_close(text, &[length.iter().sum()], &[1.0], 1e-15);
+    }
+    let nearly = read("179.9999deg about x", "1 0 0", Convention::HAMILTON).turn;
+    let [x, ..] = nearly.gibbs_vector.expect("finite");
+    // 1/tan of half of 1e-4 degrees.
+    assert_close("x", &[x * 8.726_646_259_971_648e-7], &[1.0], 1e-8);
+}
+
 /// The norms of all numbers are the core's, rounded once.
 #[wasm_bindgen_test(unsupported = test)]
 fn four_numbers_have_their_norm_beside_them() {

@@ -8,15 +8,15 @@ initSync({ module: readFileSync(new URL("../../pkg/quatlas_bg.wasm", import.meta
 
 test("the product matrices are those of the four numbers as typed", async ({ page }) => {
   await page.goto("/#read?quaternion=1+2+3+4");
+  await expect(matrix(page, "R(q)")).toBeVisible();
   await openEverything(page);
   // Yoosefian 2021, eq. 7.
   expect(await numbersOf(matrix(page, "Hamilton left product matrix"))).toEqual(
-    [1, -2, -3, -4, 2, 1, -4, 3, 3, 4, 1, -2, 4, -3, 2, 1].flat(),
+    [1, -2, -3, -4, 2, 1, -4, 3, 3, 4, 1, -2, 4, -3, 2, 1],
   );
   const products = page.getByRole("region", { name: "Hamilton" }).locator(".products");
   await expect(products).toContainText("on [w, x, y, z], of q with its norm");
-  await page.goto("/#read?quaternion=1+0+0+0");
-  await openEverything(page);
+  await page.getByRole("textbox", { name: "quaternion q" }).fill("1 0 0 0");
   await expect(products).toContainText("on [w, x, y, z]");
   await expect(products).not.toContainText("with its norm");
 });
@@ -61,7 +61,7 @@ test("conventions with a name are one click away, My Lab with its matrix", async
   ]);
   const paired = await numbersOf(matrix(page, "matrix as chosen beside q"));
   expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
-  await expect(card).toContainText("the matrix beside it, as chosen: passive, world → body");
+  await expect(card).toContainText("chosen beside q: passive, world → body");
   await expect(page.locator(".more-panel")).toContainText(
     "Of the four numbers as declared it is C(q).",
   );
@@ -98,7 +98,7 @@ test("the Gibbs vector and the modified Rodrigues parameters are facts that can 
   );
   await page.goto("/#read?quaternion=180°+about+z");
   await expect(fact("Gibbs vector")).toContainText("infinite: half a turn");
-  await expect(fact("Modified Rodrigues parameters")).toContainText("[0, 0, 1.000000]");
+  await expect(fact("Modified Rodrigues parameters")).toContainText("[0, 0, 1]");
 });
 
 test("at gimbal lock a sequence that is free is one click away", async ({ page }) => {

@@ -16,4 +16,4 @@ export const matrixDoes = {
 export const pairedMatrix = "matrix as chosen beside q";
 /** The function and the direction that were chosen for matrices. */
 export const paired = ({ function: does, direction }: MatrixConvention) =>
-  `the matrix beside it, as chosen: ${does}, ${arrowOf(direction)}`;
+  `chosen beside q: ${does}, ${arrowOf(direction)}`;

@@ -63,8 +63,13 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     };
 
     let mut notes = attitude.notes(Field::Quaternion);
-    let hamilton = attitude.column(Convention::HAMILTON, vector);
-    let jpl = attitude.column(Convention::JPL, vector);
+    // Small turns are on the declared axes in both columns.
+    let perturbed = |preset: Convention| Convention {
+        perturbation: request.convention.perturbation,
+        ..preset
+    };
+    let hamilton = attitude.column(perturbed(Convention::HAMILTON), vector);
+    let jpl = attitude.column(perturbed(Convention::JPL), vector);
     let mut left_out = |field, what, present: bool| {
         if !present {
             let fact = Fact::OutOfRange(OutOfRange { what });
@@ -92,6 +97,7 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         jpl,
         declared: attitude.column(attitude.tagged.convention, vector),
         rules: rules(attitude.tagged.convention),
+        paired: attitude.paired(request.matrix),
         euler: euler(&attitude.rotation, request.euler),
         jpl_with_same_matrix: Components::of(
             &attitude.tagged.to_convention(same_matrix).components,

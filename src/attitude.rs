@@ -13,8 +13,8 @@ use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
     AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles,
-    ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
+    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix, ReadAxisAngle,
+    ReadEulerAngles, ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
     UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
@@ -203,8 +203,17 @@ impl Attitude {
                 .rotate_within_range(vector, direction)
                 .as_ref()
                 .map(coordinates),
-            left_product_matrix: rows4(&unit.left_product_matrix()),
-            right_product_matrix: rows4(&unit.right_product_matrix()),
+            left_product_matrix: rows4(&quaternion.left_product_matrix()),
+            right_product_matrix: rows4(&quaternion.right_product_matrix()),
+            rules: rules(convention),
+        }
+    }
+
+    pub(crate) fn paired(&self, convention: MatrixConvention) -> PairedMatrix {
+        PairedMatrix {
+            convention,
+            rows: rows3(&self.rotation.to_tagged_matrix(convention).entries),
+            form: self.declared.cosine_matrix(convention),
         }
     }
 
@@ -240,11 +249,11 @@ impl Attitude {
         if self.rotation.axis().is_none() {
             return Some(Fact::NoTurn);
         }
-        let unit = self.rotation.to_tagged(self.declared).components;
-        let scalar = unit.w.abs();
-        if scalar <= HALF_TURN_SCALAR {
+        if is_half_turn(&self.rotation) {
             return Some(Fact::HalfTurn);
         }
+        let unit = self.rotation.to_tagged(self.declared).components;
+        let scalar = unit.w.abs();
         let angle_rad = self.rotation.angle_rad();
         if angle_rad < NEARLY_RAD {
             let error = ROUNDING_OF_SIX_DECIMALS / unit.vector().norm();
@@ -312,6 +321,12 @@ impl Attitude {
     }
 }
 
+/// Whether the turn is half a turn but for the rounding of a cosine.
+fn is_half_turn(rotation: &Rotation) -> bool {
+    let unit = rotation.to_tagged(Convention::HAMILTON).components;
+    unit.w.abs() <= HALF_TURN_SCALAR
+}
+
 /// The unit that was assumed, and the texts that say it.
 fn unit_assumed(text: &str, unit: AngleUnit) -> AngleUnitAssumed {
     let written = |unit: AngleUnit, word: &str| {
@@ -365,13 +380,16 @@ pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
             distance_deg: plain(lock.distance_rad.to_degrees()),
         }),
         near_lock_deg: is_near.then(|| distance_rad.to_degrees()),
+        free_sequence: (is_near || found.gimbal_lock.is_some())
+            .then(|| rotation.free_euler_sequence(sequence)),
     }
 }
 
 pub(crate) fn turn(rotation: &Rotation) -> Turn {
     let angle_rad = rotation.angle_rad();
+    let gibbs_vector = rotation.gibbs_vector().filter(|_| !is_half_turn(rotation));
     Turn {
-        gibbs_vector: rotation.gibbs_vector().as_ref().map(coordinates),
+        gibbs_vector: gibbs_vector.as_ref().map(coordinates),
         modified_rodrigues_parameters: coordinates(&rotation.modified_rodrigues_parameters()),
         angle_rad: plain(angle_rad),
         angle_deg: plain(angle_rad.to_degrees()),

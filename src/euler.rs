@@ -12,6 +12,14 @@ use twofloat::TwoFloat;
 /// last digits of the input (√u, with u = 2^-53), so they are told as locked.
 pub const GIMBAL_LOCK_RAD: f64 = 1e-8;
 
+/// Farther from its lock than this, in radians, a sequence is free: an error of the attitude is at most
+/// twice as large in its outer angles.
+const FREE_RAD: f64 = PI / 6.0;
+
+/// Distances that differ by less, in radians, are equally far: at the lock of one sequence two others are
+/// at exactly π/2, and near it, within a hundredth, nearly so.
+const AS_FREE_RAD: f64 = 0.05;
+
 /// Three angles about the axes of a sequence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
@@ -143,6 +151,46 @@ impl Rotation {
             lock_distance_rad: distance_rad,
             gimbal_lock,
         }
+    }
+
+    /// A sequence of the same frame that is free at this attitude, where another one may be locked: that
+    /// whose middle angle is farthest from its lock.
+    ///
+    /// Of those about the same axes where one of them is free. With three different axes one always is:
+    /// at the lock of one, two others are as far from theirs as can be, since a row and a column of the
+    /// matrix have but one entry of ±1. With two axes there may be none, as where the body has not turned;
+    /// then it is one of all twelve. (The lecture's remedy: an atlas of charts, ME 495, section 4.3.)
+    ///
+    /// ```
+    /// use quatlas::{EulerSequence, Rotation};
+    /// use std::f64::consts::FRAC_PI_2;
+    /// // Nose up: yaw and roll are about one line. About z, x and y the middle angle is 0.
+    /// let up = Rotation::from_euler_rad(EulerSequence::AEROSPACE, [0.3, FRAC_PI_2, 0.1])?;
+    /// let free = up.free_euler_sequence(EulerSequence::AEROSPACE);
+    /// assert_eq!(free.to_string(), "YZX");
+    /// assert!((up.euler(free).lock_distance_rad - FRAC_PI_2).abs() < 1e-15);
+    /// # Ok::<(), quatlas::NoRotation>(())
+    /// ```
+    #[must_use]
+    #[doc(alias("atlas of charts", "gimbal lock"))]
+    pub fn free_euler_sequence(&self, locked: EulerSequence) -> EulerSequence {
+        let farthest = |axes: &dyn Fn(EulerSequence) -> bool| {
+            EulerSequence::all()
+                .filter(|sequence| sequence.frame == locked.frame && axes(*sequence))
+                .map(|sequence| (self.euler(sequence).lock_distance_rad, sequence))
+                // The first of those that are as far.
+                .reduce(|best, next| {
+                    if next.0 > best.0 + AS_FREE_RAD {
+                        next
+                    } else {
+                        best
+                    }
+                })
+        };
+        farthest(&|sequence| sequence.has_axes_of(locked))
+            .filter(|(distance_rad, _)| *distance_rad > FREE_RAD)
+            .or_else(|| farthest(&|_| true))
+            .map_or(locked, |(_, sequence)| sequence)
     }
 }
 

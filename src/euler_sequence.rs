@@ -243,6 +243,12 @@ impl EulerSequence {
         }
     }
 
+    /// Whether both turn about the same axes, in whatever order.
+    pub(crate) fn has_axes_of(self, other: Self) -> bool {
+        let (own, others) = (self.axes.axes(), other.axes.axes());
+        own.iter().all(|axis| others.contains(axis)) && others.iter().all(|axis| own.contains(axis))
+    }
+
     /// Whether the first and the third axis are the same, as in ZYZ: a *proper* Euler sequence.
     #[must_use]
     pub const fn is_proper(self) -> bool {

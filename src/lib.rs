@@ -99,6 +99,9 @@ pub mod kinematics;
 /// Euler angle rates.
 pub mod euler_rates;
 
+/// Integration of components, of Euler angles and of rotation vectors.
+pub mod integration;
+
 /// Poses between named frames.
 pub mod pose;
 
@@ -294,6 +297,8 @@ pub use errata::{Erratum, SourceDocument, Witness, errata};
 pub use euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use euler_rates::SingularRates;
 pub use euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
+pub use integration::{NoStep, rotation_vector_runge_kutta_step};
+pub use interpolation::NotFinite;
 pub use kinematics::{IntegrationOrder, RateAxes, action_jacobian};
 pub use library::*;
 pub use nearest_rotation::{NearestRotation, NoNearestRotation};

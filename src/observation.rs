@@ -8,6 +8,7 @@ use crate::probe::MatrixLayout;
 use crate::quaternion::{hamilton_product, jpl_product};
 use crate::rotation::Rotation;
 use crate::rotation_matrix::CosineMatrix;
+use crate::scaling::Norm;
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use std::collections::HashMap;
 
@@ -157,7 +158,8 @@ fn product(handedness: Handedness, a: &Quaternion<f64>, b: &Quaternion<f64>) -> 
         Handedness::Right => hamilton,
         Handedness::Left => jpl,
     };
-    if (hamilton + jpl).norm() <= SAME * hamilton.norm() {
+    let norm = |q: Quaternion<f64>| Norm::of(q.coords.as_slice()).value();
+    if norm(hamilton + jpl) <= SAME * norm(hamilton) {
         Answer::Quaternion(product)
     } else {
         Answer::Rotation(product)
@@ -258,8 +260,7 @@ impl Question {
 
 /// The distance of two lists of numbers after each was divided by its norm.
 fn between(printed: &[f64], expected: &[f64]) -> f64 {
-    let norm = |numbers: &[f64]| numbers.iter().map(|n| n * n).sum::<f64>().sqrt();
-    let (one, other) = (norm(printed), norm(expected));
+    let (one, other) = (Norm::of(printed).value(), Norm::of(expected).value());
     if !(one.is_finite() && other.is_finite() && one > 0.0 && other > 0.0) {
         return f64::INFINITY;
     }

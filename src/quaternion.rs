@@ -292,7 +292,7 @@ pub(crate) fn normalize(quaternion: &Quaternion<f64>) -> Option<Quaternion<f64>>
 }
 
 /// Whether the numbers are finite, and the largest of them not subnormal (it would have lost digits).
-fn is_representable(quaternion: &Quaternion<f64>) -> bool {
+pub(crate) fn is_representable(quaternion: &Quaternion<f64>) -> bool {
     let largest = quaternion.coords.amax();
     largest.is_finite() && largest >= f64::MIN_POSITIVE
 }

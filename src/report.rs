@@ -48,11 +48,13 @@ pub struct ReadReport {
     pub vector: [f64; 3],
     /// The attitude in the declared convention, whichever of the 32 it is.
     pub declared: Column,
-    /// What the declared convention multiplies in which order.
+    /// What the declared convention multiplies in which order; the same as in `declared`.
     pub rules: Rules,
-    /// The attitude as a Hamilton quaternion, body to world.
+    /// The matrix in the declared convention of matrices.
+    pub paired: PairedMatrix,
+    /// The attitude as a Hamilton quaternion, body to world, with the declared perturbation.
     pub hamilton: Column,
-    /// The same attitude as a JPL quaternion, world to body.
+    /// The same attitude as a JPL quaternion, world to body, with the declared perturbation.
     pub jpl: Column,
     /// The JPL quaternion whose matrix is the Hamilton column's, body to world: the conjugate
     /// (Yoosefian 2021, eq. 18).

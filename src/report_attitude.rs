@@ -4,7 +4,8 @@ use crate::convention::{ComponentOrder, Convention, Direction};
 use crate::euler::Survivor;
 use crate::euler_sequence::EulerSequence;
 use crate::perturbation::Side;
-use crate::rotation_matrix::MatrixConvention;
+use crate::rotation_matrix::{CosineMatrix, MatrixConvention};
+use crate::scaling::Norm;
 use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -125,6 +126,19 @@ pub struct Rules {
     pub body_rate: Side,
 }
 
+/// The matrix of the attitude in the convention that nine numbers are declared in: with the declared
+/// convention of four numbers, a pairing (specification, section 1.7 and MODEL-09).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairedMatrix {
+    /// The function and direction of the matrix.
+    pub convention: MatrixConvention,
+    /// Row by row.
+    pub rows: [[f64; 3]; 3],
+    /// `R(q)` or `C(q)` of the declared quaternion's own numbers.
+    pub form: CosineMatrix,
+}
+
 /// One attitude in one convention.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -146,10 +160,14 @@ pub struct Column {
     pub inverse_matrix: [[f64; 3]; 3],
     /// `matrix` times `x`; absent where a double cannot hold it.
     pub image: Option<[f64; 3]>,
-    /// The matrix of `p ↦ q∘p` for the unit quaternion, on arrays in this column's order.
+    /// The matrix L of `q∘p = L p` for `quaternion` with its norm, on arrays in this column's order
+    /// (Yoosefian 2021, eqs. 7 and 13).
     pub left_product_matrix: [[f64; 4]; 4],
-    /// The matrix of `p ↦ p∘q` for the unit quaternion, on arrays in this column's order.
+    /// The matrix R of `p∘q = R p` for `quaternion` with its norm, on arrays in this column's order
+    /// (Yoosefian 2021, eqs. 6 and 14).
     pub right_product_matrix: [[f64; 4]; 4],
+    /// What this convention multiplies in which order.
+    pub rules: Rules,
 }
 
 /// Four components by name, and as an array in the order of the convention beside them.
@@ -164,6 +182,8 @@ pub struct Components {
     pub y: f64,
     /// The coefficient of k.
     pub z: f64,
+    /// The square root of the sum of the squares; absent where a double cannot hold it.
+    pub norm: Option<f64>,
     /// The same four numbers in the order of the convention.
     pub array: [f64; 4],
 }
@@ -203,6 +223,9 @@ pub struct Euler {
     pub gimbal_lock: Option<ReadGimbalLock>,
     /// Present near gimbal lock, but not at it: how far the middle angle is from it, in degrees.
     pub near_lock_deg: Option<f64>,
+    /// Present at gimbal lock and near it: a sequence of the same frame that is far from its own lock
+    /// at this attitude, about the same axes where there is one.
+    pub free_sequence: Option<EulerSequence>,
 }
 
 /// What is left of the outer angles at gimbal lock.
@@ -232,7 +255,15 @@ impl Components {
             ComponentOrder::ScalarFirst => [w, x, y, z],
             ComponentOrder::ScalarLast => [x, y, z, w],
         };
-        Self { w, x, y, z, array }
+        let norm = Norm::of(&array).value();
+        Self {
+            w,
+            x,
+            y,
+            z,
+            norm: norm.is_finite().then_some(norm),
+            array,
+        }
     }
 }
 

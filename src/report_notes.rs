@@ -166,7 +166,7 @@ pub struct OutOfRange {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 pub enum OutOfRangeNumber {
-    /// The norm.
+    /// The norm as typed, of numbers for other axes: those numbers have norm 1.
     Norm,
     /// The inverse quaternion.
     Inverse,

@@ -8,10 +8,10 @@ use crate::library::{Library, family, first_to_act, libraries, stores_columns};
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::problem::{Field, Problem, Span};
-use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
+use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE, is_representable};
 use crate::report::{
-    AxesReport, Change, Components, MappedAxes, Mistake, MistakeKind, Note, PrintedMatrix,
-    ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
+    AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OutOfRange,
+    OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
 };
 use crate::request::TranslateRequest;
 use crate::rotation::Rotation;
@@ -43,18 +43,23 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     };
     let change = AxesChange { world, body };
     let changes_axes = change != AxesChange::NONE;
+    let mut notes = notes(&attitude, &from);
     // Where the axes stay, the numbers are those that were typed, not rounded again.
     let (numbers, rotation) = if changes_axes {
         let rotation = change.apply(&attitude.rotation).map_err(|_| {
             let span = Span::of_trimmed(&request.body_axes);
             vec![Fault::one_sided_reflection(span).in_field(Field::BodyAxes)]
         })?;
-        let mut numbers = rotation.to_tagged(to.numbers());
-        // As long as what was typed, which a rotation does not remember.
-        let norm = attitude.tagged.norm();
-        if norm.is_finite() && (norm - 1.0).abs() > UNIT_NORM_TOLERANCE {
-            numbers.components *= norm;
-        }
+        let unit = rotation.to_tagged(to.numbers());
+        let numbers = with_norm_of(&attitude.tagged, unit).unwrap_or_else(|| {
+            notes.push(Note {
+                field: Field::Quaternion,
+                fact: Fact::OutOfRange(OutOfRange {
+                    what: OutOfRangeNumber::Norm,
+                }),
+            });
+            unit
+        });
         (numbers, rotation)
     } else {
         (
@@ -88,7 +93,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         proposed: pasted
             .filter(|pasted| from.library.is_none_or(|library| library.id != pasted.id))
             .map(|pasted| pasted.id.clone()),
-        notes: notes(&attitude, &from),
+        notes,
         from: end(&from, &typed, &attitude.rotation),
         to: end(&to, &numbers, &rotation),
     })
@@ -141,6 +146,19 @@ fn notes(attitude: &Attitude, from: &Meaning) -> Vec<Note> {
         notes.extend(fact.map(|fact| Note { field, fact }));
     }
     notes
+}
+
+/// A quaternion of norm 1 made as long as what was typed, which a rotation does not remember; `None`
+/// where a double that small has lost digits of the attitude, or all of them, or cannot hold the norm.
+///
+/// Of norm 1 it stays where it was typed so but for rounding.
+fn with_norm_of(typed: &TaggedQuaternion, unit: TaggedQuaternion) -> Option<TaggedQuaternion> {
+    let norm = typed.norm();
+    if (norm - 1.0).abs() <= UNIT_NORM_TOLERANCE {
+        return Some(unit);
+    }
+    let components = unit.components * norm;
+    is_representable(&components).then_some(TaggedQuaternion { components, ..unit })
 }
 
 fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {

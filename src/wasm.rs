@@ -27,11 +27,18 @@ const STATUS: &str = "status";
 
 /// The named conventions.
 #[derive(Serialize, tsify::Tsify)]
+#[serde(rename_all = "camelCase")]
 struct Presets {
     /// `[w, x, y, z]`, ij = k, body to world.
     hamilton: Convention,
     /// `[x, y, z, w]`, ij = −k, world to body.
     jpl: Convention,
+    /// `[w, x, y, z]`, ij = k, active, world to body; its matrix is passive, world to body.
+    my_lab: Convention,
+    /// `[x, y, z, w]`, ij = −k, body to world (Yoosefian 2021, eq. 18).
+    jpl_body_to_world: Convention,
+    /// `[x, y, z, w]`, ij = k, body to world, as Eigen and ROS store it.
+    hamilton_scalar_last: Convention,
 }
 
 /// The answer to a request: a report with notes, or the problems of its texts.
@@ -131,12 +138,15 @@ pub(crate) fn shortest(number: f64) -> String {
         .map_or_else(|_| String::new(), String::from)
 }
 
-/// The named conventions, Hamilton and JPL.
+/// The named conventions.
 #[wasm_bindgen(unchecked_return_type = "Presets")]
 pub fn presets() -> Result<JsValue, TypeError> {
     to_js(&Presets {
         hamilton: Convention::HAMILTON,
         jpl: Convention::JPL,
+        my_lab: Convention::MY_LAB,
+        jpl_body_to_world: Convention::JPL_BODY_TO_WORLD,
+        hamilton_scalar_last: Convention::HAMILTON_SCALAR_LAST,
     })
 }
 

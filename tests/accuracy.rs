@@ -4,7 +4,7 @@
 #[path = "common/accuracy.rs"]
 mod accuracy;
 
-use accuracy::{NO_BOUND, OPERATIONS, cases};
+use accuracy::{Measure, NO_BOUND, OPERATIONS, cases, slerp};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -23,6 +23,16 @@ fn every_conversion_keeps_its_bound() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// At constant velocity an error of the velocity grows with the way: three roundoffs for each length.
+#[wasm_bindgen_test(unsupported = test)]
+fn slerp_keeps_its_bound_beyond_its_ends() {
+    for case in cases("slerp_beyond") {
+        let error = Measure::Relative.error(&case, &slerp(&case));
+        let bound = 3.0 * case.input[8].abs().max(1.0);
+        assert!(error <= bound, "{error:.3} u of {bound}: {:?}", case.input);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -5,10 +5,14 @@ mod common;
 use common::wasm_bindgen_test;
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
-    AxisVector, Convention, EulerSequence, IncrementSign, MatrixConvention, NoNearestRotation,
-    NoRotation, Rotation, TaggedMatrix, TaggedQuaternion, right_jacobian, right_jacobian_inverse,
+    AxisVector, Convention, CosineMatrix, EulerSequence, IdentifyRequest, IncrementSign,
+    MatrixConvention, NoNearestRotation, NoRotation, NotFinite, Outcome, Probe, Request, Rotation,
+    TaggedMatrix, TaggedQuaternion, analyze, right_jacobian, right_jacobian_inverse,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Half a unit in the last place of 1.
+const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// The named conventions of the specification, section 2.5.
 #[wasm_bindgen_test(unsupported = test)]
@@ -118,16 +122,75 @@ fn outer_angles_come_above_minus_pi_and_up_to_pi() {
     }
 }
 
+/// From no turn to a quarter turn about z: a part t is 90° times t, by the exact cosines.
 #[wasm_bindgen_test(unsupported = test)]
-fn slerp_stays_at_its_ends() {
+fn slerp_goes_on_beyond_its_ends() {
+    let quarter = Rotation::from_axis_angle([0.0, 0.0, 1.0], FRAC_PI_2).expect("an axis");
+    let half = 0.5_f64.sqrt();
+    let expected = [
+        (2.0, -1.0, 0.0),
+        (-1.0, 0.0, -1.0),
+        (1.5, -half, half),
+        (-0.5, half, -half),
+        (3.0, 0.0, -1.0),
+        (4.0, 1.0, 0.0),
+    ];
+    for (t, cosine, sine) in expected {
+        let end = Rotation::identity()
+            .slerp(&quarter, t)
+            .expect("a part")
+            .body_to_world(Vector3::x());
+        let off = (end - Vector3::new(cosine, sine, 0.0)).amax();
+        assert!(off <= 6.0 * UNIT_ROUNDOFF * t.abs().max(1.0), "{t}: {end}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn slerp_takes_only_finite_parts_and_makes_rotations_of_all() {
     let from = Rotation::from_axis_angle([0.0, 0.0, 1.0], 0.4).expect("an axis");
     let to = Rotation::from_axis_angle([0.0, 1.0, 0.0], 0.8).expect("an axis");
-    for t in [0.0, -3.0, f64::NAN, f64::NEG_INFINITY] {
-        assert_eq!(from.slerp(&to, t), from, "{t}");
+    for t in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(from.slerp(&to, t), Err(NotFinite), "{t}");
     }
-    for t in [1.0, 7.0, f64::INFINITY] {
-        let end = from.slerp(&to, t).body_to_world(Vector3::x());
-        assert!((end - to.body_to_world(Vector3::x())).amax() < 3e-16, "{t}");
+    // At the ends the attitudes themselves, and the ways to them have no step.
+    for (t, end) in [
+        (0.0, from),
+        (-5e-324, from),
+        (1.0, to),
+        (1.0 + f64::EPSILON, to),
+    ] {
+        let part = from.slerp(&to, t).expect("a part");
+        assert!(part.angle_to_rad(&end) < 1e-15, "{t}");
+    }
+    for t in [1e15, -1e20, f64::MAX, f64::MIN] {
+        let array = from
+            .slerp(&to, t)
+            .expect("a part")
+            .to_tagged(Convention::JPL)
+            .to_array();
+        let norm = array.iter().map(|number| number * number).sum::<f64>();
+        assert!((norm - 1.0).abs() < 1e-15, "{t}: {array:?}");
+        // No way, however often it is gone.
+        assert_eq!(to.slerp(&to, t), Ok(to), "{t}");
+    }
+}
+
+/// The path beyond the ends has no step in the sign of the quaternion either.
+#[wasm_bindgen_test(unsupported = test)]
+fn slerp_keeps_its_sign_beyond_the_other_end() {
+    let tagged = |w: f64, z: f64| {
+        let q = TaggedQuaternion::new(w, 0.0, 0.0, z, Convention::HAMILTON);
+        Rotation::from_tagged(&q).expect("not zero")
+    };
+    // −q of a turn by 2 atan(3/4).
+    let (from, to) = (tagged(1.0, 0.0), tagged(-0.8, -0.6));
+    for (t, w, z) in [(1.0, 0.8, 0.6), (2.0, 0.28, 0.96), (-1.0, 0.8, -0.6)] {
+        let q = from
+            .slerp(&to, t)
+            .expect("a part")
+            .to_tagged(Convention::HAMILTON);
+        let off = (q.components.w - w).abs().max((q.components.k - z).abs());
+        assert!(off < 1e-15, "{t}: {q:?}");
     }
 }
 
@@ -159,4 +222,22 @@ fn jacobians_of_tiny_and_of_long_vectors_are_numbers() {
         assert!((jacobian * axis - axis).amax() < 1e-15, "{jacobian}");
     }
     assert_eq!(right_jacobian(&Vector3::zeros()), Matrix3::identity());
+}
+
+/// What a library prints may be as small as a double can be: it is compared all the same.
+#[wasm_bindgen_test(unsupported = test)]
+fn tiny_numbers_that_a_library_printed_are_told_apart() {
+    let rotated = |printed: &str| {
+        let request = IdentifyRequest::new(vec![Probe::Rotate {
+            quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+            vector: "1e-200 2e-200 3e-200".to_owned(),
+            printed: printed.to_owned(),
+        }]);
+        match analyze(&Request::Identify(request)) {
+            Outcome::Identify(report) => report.remaining.rotate,
+            other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(rotated("3e-200 1e-200 2e-200"), [CosineMatrix::Hamilton]);
+    assert_eq!(rotated("2e-200 3e-200 1e-200"), [CosineMatrix::Shuster]);
 }

@@ -153,12 +153,32 @@ fn slerp_turns_with_its_ends_and_divides_the_angle() {
         |(a, b, turn, t)| {
             // At half a turn both ways are equally short.
             prop_assume!(a.angle_to_rad(&b) < 3.1);
-            let part = a.slerp(&b, t);
-            is_same(&(turn * a).slerp(&(turn * b), t), &(turn * part))?;
-            is_same(&(a * turn).slerp(&(b * turn), t), &(part * turn))?;
-            is_same(&b.slerp(&a, 1.0 - t), &part)?;
+            let slerp = |a: Rotation, b: Rotation, t: f64| a.slerp(&b, t).expect("a part");
+            let part = slerp(a, b, t);
+            is_same(&slerp(turn * a, turn * b, t), &(turn * part))?;
+            is_same(&slerp(a * turn, b * turn, t), &(part * turn))?;
+            is_same(&slerp(b, a, 1.0 - t), &part)?;
             is_near(a.angle_to_rad(&part), t * a.angle_to_rad(&b))?;
             is_near(part.angle_to_rad(&b), (1.0 - t) * a.angle_to_rad(&b))
+        },
+    );
+}
+
+/// Constant angular velocity on the whole line: between any two parts the turn is that between the
+/// ends, as many times as the parts are apart.
+#[test]
+fn slerp_keeps_its_velocity_beyond_its_ends() {
+    let line = -3.0..4.0_f64;
+    for_all(
+        CASES,
+        (rotation(), rotation(), line.clone(), line),
+        |(a, b, early, late)| {
+            prop_assume!(a.angle_to_rad(&b) < 3.1);
+            let at = |t: f64| a.slerp(&b, t).expect("a part");
+            let velocity = a.turn_to(&b).rotation_vector_rad();
+            let turn = Rotation::from_rotation_vector_rad((velocity * (late - early)).into());
+            is_same(&(at(early) * turn.expect("finite")), &at(late))?;
+            is_same(&b.slerp(&a, 1.0 - late).expect("a part"), &at(late))
         },
     );
 }

@@ -202,7 +202,9 @@ fn slerp_goes_the_short_or_the_long_way() {
             };
             Rotation::from_tagged(&tagged).expect("not zero")
         };
-        let half_way = rotation(&inputs["a"]).slerp(&rotation(&inputs["b"]), 0.5);
+        let half_way = rotation(&inputs["a"])
+            .slerp(&rotation(&inputs["b"]), 0.5)
+            .expect("a part");
         let half_way = half_way.to_tagged(Convention::HAMILTON).components;
         assert_same_rotation(&library.id, &a_to_b, &half_way);
         let dot = a_to_b.coords.dot(&a_to_minus_b.coords).abs();

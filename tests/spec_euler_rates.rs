@@ -4,9 +4,9 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{assert_close, integrated_entries, runge_kutta, wasm_bindgen_test};
+use common::{assert_close, integrated_entries, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
-use quatlas::{EulerFrame, EulerSequence, RateAxes};
+use quatlas::{EulerFrame, EulerSequence, NoStep, RateAxes};
 use reference::{CLOSE, SLOPE, assert_order, assert_same, elementary, slope, unskew};
 
 const ANGLES: [[f64; 3]; 3] = [[0.7, 0.4, 1.1], [-2.1, 1.3, 0.2], [3.0, 0.9, -1.7]];
@@ -116,27 +116,47 @@ fn at_the_lock_the_rates_are_refused() {
     }
 }
 
-/// FX-10: Runge-Kutta on the three angles has order 4.
+/// FX-10: Runge-Kutta on the three angles has order 4, for both kinds of sequences and on both axes.
 #[wasm_bindgen_test(unsupported = test)]
 fn angles_are_integrated_with_order_4() {
     let rate = |time: f64| Vector3::new((1.7 * time).cos(), 0.6 * (2.3 * time).sin(), 0.5);
     let start = Vector3::new(0.7, -0.4, 1.1);
-    let sequence = EulerSequence::AEROSPACE;
-    let integrate = |steps: u32| {
-        let h = 1.0 / f64::from(steps);
-        let derivative = |time: f64, angles: Vector3<f64>| {
-            let rates = sequence.angle_rates(angles.into(), rate(time).into(), RateAxes::Body);
-            Vector3::from(rates.expect("not locked"))
+    for (sequence, axes) in [
+        ("ZYX", RateAxes::Body),
+        ("xyz", RateAxes::World),
+        ("ZXZ", RateAxes::Body),
+    ] {
+        let sequence: EulerSequence = sequence.parse().expect("a sequence");
+        let integrate = |steps: u32| {
+            let h = 1.0 / f64::from(steps);
+            let mut angles = start.into();
+            for n in 0..steps {
+                angles = sequence
+                    .runge_kutta_step(angles, rate, axes, f64::from(n) * h, h)
+                    .expect("not locked");
+            }
+            attitude(sequence, angles.into())
         };
-        let mut angles = start;
-        for n in 0..steps {
-            angles = runge_kutta(f64::from(n) * h, h, angles, derivative);
-        }
-        attitude(sequence, angles)
-    };
-    // Fine steps on the nine entries.
-    let r = integrated_entries(attitude(sequence, start), rate, 1.0, 4000);
-    let error = |steps: u32| (integrate(steps) - r).norm();
-    assert!(error(32) < 1e-5, "it goes there");
-    assert_order("RK4", (error(32) / error(64)).log2(), 4.0);
+        // Fine steps on the nine entries.
+        let r = integrated_entries(attitude(sequence, start), rate, axes, 1.0, 4000);
+        let error = |steps: u32| (integrate(steps) - r).norm();
+        assert!(error(64) < 1e-5, "{sequence}: it goes there");
+        let order = (error(64) / error(128)).log2();
+        assert_order(&sequence.to_string(), order, 4.0);
+    }
+}
+
+/// FX-10: at the lock no step is taken, and none with numbers that are not finite.
+#[wasm_bindgen_test(unsupported = test)]
+fn at_the_lock_no_step_is_taken() {
+    let rate = |_time: f64| Vector3::from(RATES);
+    for sequence in EulerSequence::all() {
+        let locked = [0.9, sequence.locks_rad()[0], -0.3];
+        let step = |angles| sequence.runge_kutta_step(angles, rate, RateAxes::Body, 0.0, 0.1);
+        assert_eq!(step(locked), Err(NoStep::Singular), "{sequence}");
+        assert_eq!(step([0.1, f64::NAN, 0.2]), Err(NoStep::NotFinite));
+        let endless = |time: f64| Vector3::new(0.1, 0.0, 1.0 / (time - 0.05));
+        let end = sequence.runge_kutta_step(ANGLES[0], endless, RateAxes::World, 0.0, 0.1);
+        assert_eq!(end, Err(NoStep::NotFinite), "{sequence}");
+    }
 }

@@ -4,12 +4,13 @@ mod common;
 #[path = "common/reference.rs"]
 mod reference;
 
-use common::{all_conventions, assert_close, integrated_entries, runge_kutta, wasm_bindgen_test};
+use common::{all_conventions, assert_close, integrated_entries, wasm_bindgen_test};
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
-    ComponentOrder, Direction, Function, Handedness, MatrixConvention, Rotation, TaggedQuaternion,
-    compose_rotation_vectors, half_angle_exponential, left_jacobian, left_jacobian_inverse,
-    right_jacobian, right_jacobian_inverse,
+    ComponentOrder, Direction, Function, Handedness, MatrixConvention, NoStep, RateAxes, Rotation,
+    TaggedQuaternion, compose_rotation_vectors, half_angle_exponential, left_jacobian,
+    left_jacobian_inverse, right_jacobian, right_jacobian_inverse,
+    rotation_vector_runge_kutta_step,
 };
 use reference::{
     CLOSE, SLOPE, assert_off, assert_order, assert_same, exponential_matrix, logarithm, order,
@@ -300,31 +301,59 @@ fn at_a_whole_turn_the_jacobian_has_rank_1() {
     }
 }
 
-/// FX-18: Runge-Kutta on the vector, brought back below π after each step, has order 4.
+/// FX-18: Runge-Kutta on the vector, brought back below π after each step, has order 4 on both axes.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_rotation_vector_is_integrated_with_order_4() {
     let rate = |time: f64| Vector3::new(1.1 * (1.7 * time).cos(), 0.8 * (2.3 * time).sin(), 2.0);
     let start = Vector3::new(0.4, -0.7, 1.1);
-    let integrate = |steps: u32| {
-        let h = 2.0 / f64::from(steps);
-        let derivative = |time: f64, v: Vector3<f64>| {
-            right_jacobian_inverse(&v).expect("below a whole turn") * rate(time)
-        };
-        let (mut v, mut wraps) = (start, 0);
-        for n in 0..steps {
-            v = runge_kutta(f64::from(n) * h, h, v, derivative);
-            if v.norm() > PI {
-                v *= 1.0 - TAU / v.norm();
-                wraps += 1;
+    for axes in [RateAxes::Body, RateAxes::World] {
+        let integrate = |steps: u32| {
+            let h = 2.0 / f64::from(steps);
+            let (mut v, mut wraps) = (start, 0);
+            for n in 0..steps {
+                let next = rotation_vector_runge_kutta_step(v, rate, axes, f64::from(n) * h, h)
+                    .expect("below a whole turn");
+                assert!(next.norm() <= PI + 1e-15);
+                wraps += i32::from(next.dot(&v) < 0.0);
+                v = next;
             }
-        }
-        (exponential_matrix(&v), wraps)
+            (exponential_matrix(&v), wraps)
+        };
+        // Fine steps on the nine entries.
+        let r = integrated_entries(exponential_matrix(&start), rate, axes, 2.0, 8000);
+        let error = |steps: u32| (integrate(steps).0 - r).norm();
+        assert!(integrate(64).1 > 0, "π is passed");
+        assert!(error(64) < 1e-4, "it goes there");
+        assert_order("RK4", (error(64) / error(128)).log2(), 4.0);
+    }
+}
+
+/// FX-18: vectors longer than half a turn are brought back first, a step through a whole turn is
+/// refused, and so are numbers that are not finite.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_rotation_vector_of_whole_turns_takes_no_step_through_them() {
+    let (axis, still) = (Vector3::new(0.48, -0.6, 0.64), |_time: f64| {
+        Vector3::zeros()
+    });
+    let step = |v, rate: &dyn Fn(f64) -> Vector3<f64>| {
+        rotation_vector_runge_kutta_step(v, rate, RateAxes::Body, 0.0, 1.0)
     };
-    // Fine steps on the nine entries.
-    let r = integrated_entries(exponential_matrix(&start), rate, 2.0, 8000);
-    let error = |steps: u32| (integrate(steps).0 - r).norm();
-    assert!(integrate(64).1 > 0, "π is passed");
-    assert_order("RK4", (error(64) / error(128)).log2(), 4.0);
+    for (angle, shortest) in [
+        (PI, PI),
+        (4.0, 4.0 - TAU),
+        (TAU, 0.0),
+        (15.0, 15.0 - 2.0 * TAU),
+    ] {
+        let end = step(axis * angle, &still).expect("no whole turn is near");
+        assert_same("shortest", &end, &(axis * shortest), 1e-14);
+    }
+    let whole = |_time: f64| axis * TAU;
+    let refused = step(axis * 0.0, &|time| {
+        whole(time) * if time < 0.6 { 1.0 } else { 0.0 }
+    });
+    assert_eq!(refused, Err(NoStep::Singular));
+    assert_eq!(step(axis * f64::INFINITY, &still), Err(NoStep::NotFinite));
+    assert_eq!(step(axis, &|_| axis * f64::NAN), Err(NoStep::NotFinite));
 }
 
 /// 002-3: the exponential of the pure quaternion η is the turn by 2η, and at η = 0 no quotient 0/0.

@@ -1,5 +1,5 @@
 // The one door to the core: the only file of the page that imports the wasm.
-import type { Convention, Library, Outcome, Request, TranslatedEnd } from "../pkg/quatlas.js";
+import type { Library, Outcome, Request, TranslatedEnd } from "../pkg/quatlas.js";
 import wholeUrl from "../pkg/quatlas_bg.wasm?url";
 import * as small from "../pkg/small/quatlas_small.js";
 import smallUrl from "../pkg/small/quatlas_small_bg.wasm?url";
@@ -13,10 +13,8 @@ export interface Failure {
 }
 
 /** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
-export interface Engine {
+export interface Engine extends ReturnType<typeof small.presets> {
   views: readonly Request["view"][];
-  hamilton: Convention;
-  jpl: Convention;
   /** What libraries do, in the order of the table; only the whole core has it. */
   libraries: readonly Library[];
   /** The answer to a request. It never throws. */

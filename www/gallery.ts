@@ -1,6 +1,7 @@
 // All examples, in the order of the gallery; loaded with it.
 import type { Endpoint } from "./engine.ts";
 import { type Example, featured } from "./examples.ts";
+import { randomAttitude } from "./random_attitude.ts";
 
 const library = (id: string): Endpoint => ({ kind: "library", id });
 
@@ -30,6 +31,16 @@ const further = {
   "half-turn": { view: "read", input: { quaternion: "180° about [1, 1, 0]", vector: "1 0 0" } },
   "invisible-order": { view: "read", input: { quaternion: "0.5 0.5 0.5 0.5", vector: "1 2 3" } },
   "norm-of-two": { view: "read", input: { quaternion: "1 + i + j + k", vector: "1 2 3" } },
+  // Active, world to body, and beside it the passive matrix world to body.
+  "my-lab": {
+    view: "read",
+    input: {
+      axes: { function: "active", direction: "world-to-body" },
+      matrix: { function: "passive", direction: "world-to-body" },
+      quaternion: "rotvec 0.4 -0.7 1.1",
+      vector: "1 0 0",
+    },
+  },
   "jpl-body-to-world": {
     view: "read",
     input: { preset: "jpl", axes: { direction: "body-to-world" }, quaternion: "0 0 0.6 0.8" },
@@ -68,6 +79,15 @@ const further = {
   "unknown-library": { view: "identify", input: {} },
 } as const satisfies Record<string, Example>;
 
+/** Another attitude each time that it is asked for. */
+const random = (): Example => ({
+  view: "read",
+  input: { quaternion: randomAttitude(Math.random), vector: "1 2 3" },
+});
+
 export const gallery = { ...featured, ...further };
-export type ExampleName = keyof typeof gallery;
-export const exampleNames = Object.keys(gallery) as ExampleName[];
+export type ExampleName = keyof typeof gallery | "random";
+export const exampleNames = [...Object.keys(gallery), "random"] as ExampleName[];
+
+export const exampleOf = (name: ExampleName): Example =>
+  name === "random" ? random() : gallery[name];

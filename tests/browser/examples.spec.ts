@@ -2,7 +2,8 @@
 import type { Page } from "@playwright/test";
 import { fromFragment, opening, toFragment } from "../../www/address.ts";
 import { featured, stateOf } from "../../www/examples.ts";
-import { type ExampleName, exampleNames, gallery } from "../../www/gallery.ts";
+import { type ExampleName, exampleNames, exampleOf, gallery } from "../../www/gallery.ts";
+import { randomAttitude } from "../../www/random_attitude.ts";
 import { featuredNames, moreExamples } from "../../www/words/examples.ts";
 import { exampleWords } from "../../www/words/gallery.ts";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
@@ -122,6 +123,17 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
       "1",
     ]);
   },
+  "my-lab": async (page) => {
+    await expect(page.getByRole("heading", { name: "“My Lab” of the field guide" })).toBeVisible();
+    // Golden case G32, R_W^B.
+    const paired = await numbersOf(matrix(page, "matrix as chosen beside q"));
+    expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
+  },
+  random: async (page) => {
+    // Of norm 1 and with w ≥ 0, so nothing has to be said of it.
+    await expect(page.locator(".read-as")).toContainText("norm 1");
+    await expect(notes(page)).toHaveCount(0);
+  },
   "unknown-library": async (page) => {
     await expect(page.locator("main")).toContainText("ij = −k");
   },
@@ -130,7 +142,7 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
 for (const name of exampleNames) {
   const [words, teaches] = exampleWords[name];
   test(`the example ${words}: ${teaches}`, async ({ page }) => {
-    await page.goto(`/#${toFragment(stateOf(gallery[name], opening))}`);
+    await page.goto(`/#${toFragment(stateOf(exampleOf(name), opening))}`);
     await expect(page.locator(".result").first()).toHaveClass(/current/);
     await expect(page.locator(".problem")).toHaveCount(0);
     await promises[name](page);
@@ -179,4 +191,62 @@ test("the gallery is opened, chosen from and left by keyboard, and going back re
   await expect(page.getByRole("heading", { name: "Reordered, not conjugated" })).toBeVisible();
   await page.goBack();
   await expect(quaternionField(page)).toHaveValue("4 3 2 1");
+});
+
+/** Uniform from 0 to 1, the same every time (mulberry32). */
+function seeded(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
+    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+test("random attitudes are uniform over all attitudes, and unit quaternions as text", () => {
+  const random = seeded(11);
+  const count = 20_000;
+  const sums = { within90: 0, within45: 0, xx: 0, zz: 0, xy: 0, aboveTheEquator: 0 };
+  for (let drawn = 0; drawn < count; drawn += 1) {
+    const text = randomAttitude(random);
+    const parts = /^w: (\S+), x: (\S+), y: (\S+), z: (\S+)$/.exec(text)?.slice(1).map(Number);
+    const [w = Number.NaN, x = 0, y = 0, z = 0] = parts ?? [];
+    expect(Math.abs(w * w + x * x + y * y + z * z - 1), text).toBeLessThan(1e-15);
+    expect(w).toBeGreaterThanOrEqual(0);
+    const degrees = (Math.atan2(Math.hypot(x, y, z), w) * 360) / Math.PI;
+    sums.within90 += degrees < 90 ? 1 : 0;
+    sums.within45 += degrees < 45 ? 1 : 0;
+    sums.xx += x * x;
+    sums.zz += z * z;
+    sums.xy += x * y;
+    // Where the body's z axis points.
+    sums.aboveTheEquator += 1 - 2 * (x * x + y * y) > 0.5 ? 1 : 0;
+  }
+  // The angle has the density (1 − cos θ)/π, an axis of the body that of the sphere. Four standard
+  // deviations of 20 000 draws.
+  const expectNear = (sum: number, expected: number) =>
+    expect(Math.abs(sum / count - expected)).toBeLessThan(4 * 0.5 * count ** -0.5);
+  expectNear(sums.within90, 0.5 - 1 / Math.PI);
+  expectNear(sums.within45, 0.25 - Math.SQRT1_2 / Math.PI);
+  expectNear(sums.xx, 0.25);
+  expectNear(sums.zz, 0.25);
+  expectNear(sums.xy, 0);
+  expectNear(sums.aboveTheEquator, 0.25);
+});
+
+test("the random example is another one each time that the gallery is opened", async ({ page }) => {
+  await page.goto("/");
+  const drawn = async () => {
+    await page.keyboard.press("e");
+    const dialog = page.getByRole("dialog", { name: "Examples" });
+    await dialog.getByRole("link", { name: "A random attitude" }).press("Enter");
+    await expect(dialog).toBeHidden();
+    await expect(page.locator(".problem")).toHaveCount(0);
+    await page.locator("h1").first().click();
+    return quaternionField(page).inputValue();
+  };
+  const first = await drawn();
+  expect(first).toMatch(/^w: 0\.\d+(e-\d+)?, x: -?0\.\d+/);
+  expect(await drawn()).not.toBe(first);
 });

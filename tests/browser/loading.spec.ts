@@ -9,7 +9,7 @@ const lazyBudgets: Record<string, number> = {
   "ComposePicture.js": 1_540,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
-  "Gallery.js": 2_170,
+  "Gallery.js": 2_530,
   "Help.js": 940,
   "Identify.css": 2_350,
   "Identify.js": 9_220,

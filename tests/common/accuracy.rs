@@ -293,6 +293,11 @@ fn euler(case: &Case) -> Vec<f64> {
     case.rotation(0).euler(case.sequence()).angles_rad.to_vec()
 }
 
+pub(crate) fn slerp(case: &Case) -> Vec<f64> {
+    let part = case.rotation(0).slerp(&case.rotation(4), case.input[8]);
+    hamilton(&part.expect("finite"))
+}
+
 /// All operations with a bound.
 pub(crate) const OPERATIONS: &[Operation] = &[
     Operation {
@@ -396,7 +401,7 @@ pub(crate) const OPERATIONS: &[Operation] = &[
         cases: "slerp",
         measure: Measure::Relative,
         bound: 3.0,
-        run: |case| hamilton(&case.rotation(0).slerp(&case.rotation(4), case.input[8])),
+        run: slerp,
     },
     Operation {
         name: "angle between",

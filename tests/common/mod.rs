@@ -9,7 +9,8 @@ use quatlas::nalgebra::{Matrix3, Quaternion, Vector3};
 use quatlas::{
     AngleUnit, ComponentOrder, ComposeReport, ComposeRequest, Convention, Direction, Fact, Field,
     Function, Handedness, MatrixConvention, Outcome, ParsedRotation, Perturbation, Problem,
-    ReadReport, ReadRequest, Request, Rotation, TaggedMatrix, UnitSource, analyze, parse_rotation,
+    RateAxes, ReadReport, ReadRequest, Request, Rotation, TaggedMatrix, UnitSource, analyze,
+    parse_rotation,
 };
 use std::ops::{Add, Mul};
 pub(crate) use wasm_bindgen_test::wasm_bindgen_test;
@@ -134,19 +135,21 @@ where
     value + (a + b * 2.0 + c * 2.0 + d) * (step / 6.0)
 }
 
-/// The nine entries of `R_WB` after a time with the body's rate, by steps of the classical
-/// Runge-Kutta method on `Ṙ = R [ω_B]×`.
+/// The nine entries of `R_WB` after a time with a rate on some axes, by steps of the classical
+/// Runge-Kutta method on `Ṙ = R [ω_B]× = [ω_W]× R`.
 pub(crate) fn integrated_entries(
     start: Matrix3<f64>,
-    body_rate: impl Fn(f64) -> Vector3<f64>,
+    rate: impl Fn(f64) -> Vector3<f64>,
+    axes: RateAxes,
     duration: f64,
     steps: u32,
 ) -> Matrix3<f64> {
     let mut r = start;
     let h = duration / f64::from(steps);
     for n in 0..steps {
-        r = runge_kutta(f64::from(n) * h, h, r, |time, r| {
-            r * body_rate(time).cross_matrix()
+        r = runge_kutta(f64::from(n) * h, h, r, |time, r| match axes {
+            RateAxes::Body => r * rate(time).cross_matrix(),
+            RateAxes::World => rate(time).cross_matrix() * r,
         });
     }
     r

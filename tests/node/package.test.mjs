@@ -46,7 +46,10 @@ after(() => rmSync(project, { recursive: true, force: true }));
 test("import and require give the same instance", () => {
   assert.deepEqual(Object.keys(quatlas).sort(), [
     "HAMILTON",
+    "HAMILTON_SCALAR_LAST",
     "JPL",
+    "JPL_BODY_TO_WORLD",
+    "MY_LAB",
     "analyze",
     "identify",
     "libraries",

@@ -40,7 +40,7 @@ PROVENANCE = (
     "a,b,c about the axes i,j,k of 'sequence'; intrinsic q_i(a) q_j(b) q_k(c), extrinsic q_k(c) q_j(b) q_i(a), with "
     "q_n(t) = [cos(t/2), sin(t/2) e_n], never negated. euler_from_quaternion: the inverse for R(q); first and third "
     "in (-pi, pi], second in [-pi/2, pi/2] for three different axes, else [0, pi]; no input is at gimbal lock. "
-    "slerp: a, b, t -> unit quaternion at t on the short way from a/|a|; b is negated if a.b < 0. angle_between: "
+    "slerp and slerp_beyond: a, b, t -> unit quaternion at t on the short way from a/|a|; b is negated if a.b < 0. angle_between: "
     "a, b -> 2 atan2(|Im(conj(a) b)|, |Re(conj(a) b)|). Results too small for a double are still given in full."
 )
 
@@ -684,6 +684,33 @@ def slerp_inputs():
     yield "any norm", [[SMALLEST] * 4 + [LARGEST, 0, 0, LARGEST, 0.3], [LARGEST] * 4 + [1, 2, 3, 4, 0.7]]
 
 
+def slerp_beyond(values):
+    return slerp(values)
+
+
+def slerp_beyond_inputs():
+    opposite = lambda q: [-c + 0.0 for c in q]
+    near = lambda a, angle: doubles(hamilton(numbers(a), turn(angle)))
+    beyond = lambda reach: rng.choice((-1, 1)) * rng.uniform(0, 1) * reach + 0.5
+    half = math.sqrt(0.5)
+    # Not to t = 2, whose zeros would be noise of the working digits: that is in tests/gates.rs.
+    yield "quarter turn", [[1, 0, 0, 0, half, 0, 0, half, t] for t in (-1, 1.5, 3, -2.5, 1e6 + 1)]
+    yield "wide", [unit_double() + unit_double() + [beyond(4)] for _ in range(40)]
+    yield "far", [unit_double() + unit_double() + [beyond(10**n)] for n in (1, 2, 3, 6, 9, 12) for _ in range(3)]
+    cases = []
+    for n in range(3, 17):
+        a = unit_double()
+        cases.append(a + near(a, mp.mpf(10) ** -n) + [beyond(10**n)])
+        a = unit_double()
+        cases.append(a + opposite(near(a, mp.mpf(10) ** -n)) + [beyond(10)])
+    yield "small angle", cases + [[1, 0, 0, 0, 1, 1e-300, 0, 0, 1e299]]
+    a = unit_double()
+    yield "no turn", [a + a + [t] for t in (2, -1e20, LARGEST, -LARGEST)] + [a + opposite(a) + [1e20]]
+    yield "ends", [unit_double() + unit_double() + [t] for t in
+                   (-SMALLEST, -1e-17, math.nextafter(1, 2), math.nextafter(1, 2), 1 + 1e-8)]
+    yield "any norm", [any_norm() + any_norm() + [beyond(4)] for _ in range(12)]
+
+
 def angle_between_inputs():
     opposite = lambda q: [-c + 0.0 for c in q]
     near = lambda a, angle: doubles(hamilton(numbers(a), turn(angle)))
@@ -730,6 +757,7 @@ OPERATIONS = [
     (euler_from_quaternion, euler_from_quaternion_inputs),
     (slerp, slerp_inputs),
     (angle_between, angle_between_inputs),
+    (slerp_beyond, slerp_beyond_inputs),
 ]
 
 

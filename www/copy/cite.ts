@@ -1,6 +1,14 @@
 // One short sentence that names a case: its convention, its numbers rounded, the version and the link.
-import type { ComposeReport, Convention, ReadReport, TranslateReport, Turn } from "../engine.ts";
+import type {
+  Components,
+  ComposeReport,
+  Convention,
+  ReadReport,
+  TranslateReport,
+  Turn,
+} from "../engine.ts";
 import { citeWords as words } from "../words/share.ts";
+import { isNormOne } from "./copied.ts";
 
 /** Enough to recognise the case; the link holds every digit. */
 const significantDigits = 5;
@@ -17,10 +25,9 @@ function tuple(numbers: readonly number[]): string {
   return `(${numbers.map((number) => cited(number, largest)).join(", ")})`;
 }
 
-function quaternion(numbers: readonly number[]): string {
-  const norm = Math.hypot(...numbers);
-  const isUnit = Math.abs(norm - 1) < roundingNoise;
-  return words.quaternion(tuple(numbers), isUnit ? undefined : cited(norm));
+function quaternion({ norm }: Components, numbers: readonly number[]): string {
+  if (isNormOne(norm)) return words.unitQuaternion(tuple(numbers));
+  return words.quaternion(tuple(numbers), norm === undefined ? undefined : cited(norm));
 }
 
 function turnOf({ axis, angleDeg }: Turn): string {
@@ -32,7 +39,7 @@ function turnOf({ axis, angleDeg }: Turn): string {
 
 export function citeRead({ declared, turn }: ReadReport): string {
   const { quaternion: q, convention } = declared;
-  return words.read(quaternion(q.array), words.convention(convention), turnOf(turn));
+  return words.read(quaternion(q, q.array), words.convention(convention), turnOf(turn));
 }
 
 const signs: Record<Convention["handedness"], string> = { right: "⊙", left: "⊗" };
@@ -50,7 +57,7 @@ export function citeCompose({ declared, p, q }: ComposeReport): string {
 
 export function citeTranslation({ from, to, turn }: TranslateReport, names: Ends): string {
   return words.translate(
-    quaternion(from.array),
+    quaternion(from.components, from.array),
     names.from,
     names.to,
     tuple(to.array),

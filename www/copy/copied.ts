@@ -1,5 +1,5 @@
 // A value that can be copied as code: what it is and what it means, not how it is shown.
-import type { Convention, Direction, EulerSequence } from "../engine.ts";
+import type { Convention, Direction, EulerSequence, MatrixConvention } from "../engine.ts";
 
 type Numbers = readonly number[];
 export type Rows = readonly Numbers[];
@@ -16,11 +16,19 @@ export interface CopiedQuaternion {
   /** What stands for it in a formula, in ASCII: `q`, `q*`, `p (.) q`. */
   symbol: string;
   components: NamedNumbers;
+  /** Of the components, by the core; undefined where a double cannot hold it. */
+  norm: number | undefined;
   /** What these four numbers mean. */
   convention: Convention;
   /** The matrix that it acts with on coordinates in its own convention. */
   matrix?: Rows;
 }
+
+/** A norm that differs from 1 by more than rounding is said, and not taken for that of a unit quaternion. */
+const roundingOfNorm = 1e-14;
+
+export const isNormOne = (norm: number | undefined) =>
+  norm !== undefined && Math.abs(norm - 1) <= roundingOfNorm;
 
 export interface CopiedMatrix {
   kind: "matrix";
@@ -76,7 +84,7 @@ export function reversed(convention: Convention): Convention {
 }
 
 /** From which coordinates to which a quaternion takes a vector when it acts in its convention. */
-export function directionOfAction({ function: does, direction }: Convention): Direction {
+export function directionOfAction({ function: does, direction }: MatrixConvention): Direction {
   return does === "passive" ? direction : opposite[direction];
 }
 

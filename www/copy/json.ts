@@ -1,6 +1,12 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
 import { directionWords, productWords, says, sequenceLetters, takesWords } from "../words/copy.ts";
-import { type Copied, type CopiedQuaternion, directionOfAction, directionOfR } from "./copied.ts";
+import {
+  type Copied,
+  type CopiedQuaternion,
+  directionOfAction,
+  directionOfR,
+  isNormOne,
+} from "./copied.ts";
 import { ordered } from "./numbers.ts";
 
 /** Where a copied value comes from. */
@@ -65,7 +71,9 @@ export function testVector(value: Copied, origin: Origin): string {
 }
 
 function quaternionVector(value: CopiedQuaternion) {
-  const { convention, matrix } = value;
+  const { convention, matrix, norm } = value;
+  // The matrix is that of q/|q|, whatever the norm.
+  const q = isNormOne(norm) ? "q" : "q/|q|";
   const acts = directionOfAction(convention);
   return {
     convention: { ...convention, product: productWords[convention.handedness] },
@@ -74,7 +82,7 @@ function quaternionVector(value: CopiedQuaternion) {
     ...(matrix && {
       expected: {
         matrix,
-        form: convention.handedness === "right" ? "R(q)" : "C(q) = R(q)^T",
+        form: convention.handedness === "right" ? `R(${q})` : `C(${q}) = R(${q})^T`,
         direction: directionWords[acts],
         takes: takesWords[acts],
       },

@@ -1,19 +1,17 @@
 // Rust with nalgebra.
+import { isNormOne } from "./copied.ts";
 import { factors, float, listed, scalarFirst } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const vector = (numbers: readonly number[]) => `Vector3::new(${listed(numbers, float)})`;
 
-/** A `UnitQuaternion` is of norm 1, and `from_quaternion` would make any other so. */
-const isUnit = (norm: number) => Math.abs(norm - 1) < 1e-14;
-
 export const nalgebra: Writer = {
   comment: "//",
   lines: {
-    quaternion: ({ components }) => {
-      const numbers = scalarFirst(components);
-      const quaternion = `Quaternion::new(${listed(numbers, float)})`;
-      return isUnit(Math.hypot(...numbers))
+    // A `UnitQuaternion` is of norm 1, and `from_quaternion` would make any other so.
+    quaternion: ({ components, norm }) => {
+      const quaternion = `Quaternion::new(${listed(scalarFirst(components), float)})`;
+      return isNormOne(norm)
         ? [`let q = UnitQuaternion::from_quaternion(${quaternion});`]
         : [`let q = ${quaternion};`];
     },

@@ -23,7 +23,7 @@ const orderOf = ({ order }: Convention) => (order === "scalar-first" ? "w x y z"
 
 export function quaternionValue(
   symbol: string,
-  { w, x, y, z }: Components,
+  { w, x, y, z, norm }: Components,
   convention: Convention,
   matrix?: Rows,
 ): CopiedQuaternion {
@@ -31,6 +31,7 @@ export function quaternionValue(
     kind: "quaternion",
     symbol,
     components: { w, x, y, z },
+    norm,
     convention,
     ...(matrix && { matrix }),
   };
@@ -74,12 +75,18 @@ function imageValue(
 }
 
 /** The values of the card of a convention that is neither preset. */
-export function declaredValues({ convention, quaternion, matrix, image }: ReadReport["declared"]) {
+export function declaredValues({ declared, paired }: Pick<ReadReport, "declared" | "paired">) {
+  const { convention, quaternion, matrix, image } = declared;
   const symbol = `${letterOf[convention.handedness]}(q)`;
   return {
     quaternion: quaternionValue("q", quaternion, convention, matrix),
     matrix: matrixValue(symbol, matrix, words.direction[directionOfAction(convention)]),
     image: imageValue(`${symbol} x`, image, convention),
+    paired: matrixValue(
+      `${paired.form}(q)`,
+      paired.rows,
+      words.direction[directionOfAction(paired.convention)],
+    ),
   };
 }
 
@@ -115,13 +122,23 @@ export function eulerValue({ sequence, anglesRad }: ReadReport["euler"]): Copied
   return { kind: "euler", sequence, anglesRad };
 }
 
+export function endQuaternion({ components, convention }: TranslatedEnd): CopiedQuaternion {
+  return quaternionValue("q", components, convention);
+}
+
+/** What the matrix of an end is: the one that the end prints of these numbers, or that of q/|q|. */
+export type EndMatrix = "as-printed" | "of-unit";
+
 /** The values of an end of a translation. */
-export function endValues(name: string, { components, convention, matrix }: TranslatedEnd) {
+export function endValues(
+  name: string,
+  { components, convention, matrix }: TranslatedEnd,
+  of: EndMatrix,
+) {
   const other = convention.order === "scalar-first" ? "scalar-last" : "scalar-first";
   return {
-    quaternion: quaternionValue("q", components, convention),
     reordered: quaternionValue("q", components, { ...convention, order: other }),
-    matrix: matrix && matrixValue("M", matrix.rows, words.printedMatrix(name, matrix.vectors)),
+    matrix: matrix && matrixValue("M", matrix.rows, words.endMatrix[of](name, matrix)),
   };
 }
 

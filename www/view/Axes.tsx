@@ -2,20 +2,28 @@
 import { type Axis, axes, axisValues } from "../address.ts";
 import type { Convention, MatrixConvention } from "../engine.ts";
 import { declaredConvention, type Store } from "../state.ts";
-import { axisWords } from "../words/conventions.ts";
+import { axisWords, conventionNames } from "../words/conventions.ts";
 import * as words from "../words/more.tsx";
-import { fiveWords, nameOf, operatorOf, valueWords } from "./conventions.ts";
+import {
+  declarationOf,
+  differing,
+  fiveWords,
+  namedConventions,
+  namedOf,
+  nameOf,
+  operatorOf,
+  valueWords,
+} from "./conventions.ts";
+import { MatrixOf } from "./RulesList.tsx";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;
   const convention = declaredConvention(state, store.engine);
   const base = store.engine[state.preset];
-  const setAxis = (axis: Axis, value: string) => {
-    const changed = { ...convention, [axis]: value } as Convention;
-    // What is as in the preset is no choice of its own.
-    const differing = axes.filter((name) => changed[name] !== base[name]);
-    store.set({ axes: Object.fromEntries(differing.map((name) => [name, changed[name]])) });
-  };
+  const setAxis = (axis: Axis, value: string) =>
+    store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
+  const namedNow = namedOf(convention, store.engine);
+  const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
   const setMatrix = (axis: keyof MatrixConvention, value: string) =>
     store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
   return (
@@ -25,6 +33,23 @@ export function MoreAxes({ store }: { store: Store }) {
         <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
       </summary>
       <div class="more-panel">
+        <div class="named-conventions">
+          <span id="named-conventions">{words.named}</span>
+          <ul aria-labelledby="named-conventions">
+            {namedConventions.map((name) => (
+              <li key={name}>
+                <button
+                  type="button"
+                  class="quiet"
+                  aria-pressed={name === namedNow}
+                  onClick={() => store.set(declarationOf(name, store.engine))}
+                >
+                  {conventionNames[name]}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </div>
         <p>{words.five}</p>
         <div class="axis-choices">
           {axes.map((axis) => (
@@ -37,7 +62,10 @@ export function MoreAxes({ store }: { store: Store }) {
             />
           ))}
         </div>
-        <p>{words.matrix(operatorOf(state.matrix))}</p>
+        <p>
+          {words.matrix(operatorOf(state.matrix))}
+          {form && words.beside(<MatrixOf form={form} />)}
+        </p>
         <div class="axis-choices">
           {(["function", "direction"] as const).map((axis) => (
             <Choice

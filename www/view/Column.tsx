@@ -5,7 +5,9 @@ import type { Column, Direction } from "../engine.ts";
 import type { Store } from "../state.ts";
 import * as text from "../words/column.ts";
 import { wordsOf } from "../words/conventions.ts";
+import { multipliesAs } from "../words/rules.tsx";
 import { editedComponents, editedMatrix } from "./number_group.ts";
+import { RulesList } from "./RulesList.tsx";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 
 export function ConventionColumn({
@@ -31,6 +33,7 @@ export function ConventionColumn({
     </>
   );
   const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
+  const normOf = isUnit ? "unit" : "typed";
   return (
     <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
       <header>
@@ -127,6 +130,11 @@ export function ConventionColumn({
           note={isUnit ? text.unitItself : text.unit}
         />
       </div>
+      <RulesList
+        name={multipliesAs(words.name)}
+        rules={column.rules}
+        perturbation={column.convention.perturbation}
+      />
       <details class="products">
         <summary>{text.productMatrices}</summary>
         <div class="matrices">
@@ -137,7 +145,7 @@ export function ConventionColumn({
                 <var>q</var>∘<var>p</var> = <var>L p</var>
               </>
             }
-            caption={text.onOrder(words.order)}
+            caption={text.onOrder[normOf](words.order)}
             rows={column.leftProductMatrix}
             value={values.left}
             digits={digits}
@@ -149,7 +157,7 @@ export function ConventionColumn({
                 <var>p</var>∘<var>q</var> = <var>R p</var>
               </>
             }
-            caption={text.onOrder(words.order)}
+            caption={text.onOrder[normOf](words.order)}
             rows={column.rightProductMatrix}
             value={values.right}
             digits={digits}

@@ -1,14 +1,15 @@
 // The declared convention where it is neither preset: its own numbers, and what it multiplies.
-import type { ComponentChildren } from "preact";
 import type { Digits } from "../address.ts";
 import { declaredValues } from "../copy/values.ts";
-import type { ReadReport, Rules, Side } from "../engine.ts";
+import type { ReadReport } from "../engine.ts";
 import type { Store } from "../state.ts";
 import { asDeclared } from "../words/column.ts";
 import { arrowOf } from "../words/conventions.ts";
 import * as words from "../words/declared.tsx";
-import { fiveWords, nameOf } from "./conventions.ts";
+import * as rulesWords from "../words/rules.tsx";
+import { fiveWords, nameOf, operatorOf } from "./conventions.ts";
 import { editedComponents, editedMatrix } from "./number_group.ts";
+import { MatrixOf, RulesList } from "./RulesList.tsx";
 import { ArrayRow, ComponentStrip, Matrix } from "./Value.tsx";
 
 export function DeclaredCard({
@@ -20,10 +21,10 @@ export function DeclaredCard({
   store: Store;
   digits: Digits;
 }) {
-  const { declared, rules } = report;
+  const { declared, paired, rules } = report;
   const name = nameOf(declared.convention, store.engine);
   const { function: does } = declared.convention;
-  const values = declaredValues(declared);
+  const values = declaredValues(report);
   const act = (
     <>
       <var>q</var>∘<var>x</var>∘<var>q</var>
@@ -68,68 +69,23 @@ export function DeclaredCard({
           digits={digits}
           edited={editedMatrix(store, "declared-matrix", rules.operator)}
         />
-        <RulesList rules={rules} />
+        <Matrix
+          name={words.pairedMatrix}
+          symbol={<MatrixOf form={paired.form} />}
+          caption={words.paired(paired.convention)}
+          rows={paired.rows}
+          value={values.paired}
+          digits={digits}
+          edited={editedMatrix(store, "paired-matrix", operatorOf(paired.convention))}
+        />
+        <RulesList
+          name={rulesWords.multiplies}
+          rules={rules}
+          perturbation={declared.convention.perturbation}
+        >
+          <li>{rulesWords.components(rules.isCanonical)}</li>
+        </RulesList>
       </div>
     </section>
-  );
-}
-
-/** What the convention multiplies in which order. */
-function RulesList({ rules }: { rules: Rules }) {
-  return (
-    <ul class="rules" aria-label={words.multiplies}>
-      <li>{words.components(rules.isCanonical)}</li>
-      <li>
-        {words.labels(
-          <Product first={<Q of="AB" />} second={<Q of="BC" />} side={rules.labelledFirst} />,
-          <Q of="AC" />,
-        )}
-      </li>
-      <li>
-        {words.camera(
-          <Product first={<Q of="WB" />} second={<Q of="BC" />} side={rules.chainFirst} />,
-        )}
-      </li>
-      <li>
-        {words.increment(
-          <Product first={<var>δq</var>} second={<var>q</var>} side={rules.increment} />,
-        )}
-      </li>
-      <li>
-        {words.bodyRate(
-          <>
-            <var>q̇</var> = {rules.isCanonical ? "½" : "−½"}{" "}
-            <Product first={<var>ω</var>} second={<var>q</var>} side={rules.bodyRate} />
-          </>,
-        )}
-      </li>
-    </ul>
-  );
-}
-
-function Q({ of }: { of: string }) {
-  return (
-    <>
-      <var>q</var>
-      <sub>{of}</sub>
-    </>
-  );
-}
-
-/** Two factors, the first of them on this side. */
-function Product({
-  first,
-  second,
-  side,
-}: {
-  first: ComponentChildren;
-  second: ComponentChildren;
-  side: Side;
-}) {
-  const [left, right] = side === "left" ? [first, second] : [second, first];
-  return (
-    <span class="factors">
-      {left}∘{right}
-    </span>
   );
 }

@@ -103,7 +103,21 @@ export function EulerFact({
         <Copy {...copied[other]} value={eulerValue(euler)} />
       </p>
       <GimbalLock euler={euler} names={names} digits={digits} unit={unit} />
+      {euler.freeSequence && <FreeSequence sequence={euler.freeSequence} store={store} />}
     </div>
+  );
+}
+
+/** A sequence that is far from its own lock, one click away. */
+function FreeSequence({ sequence, store }: { sequence: EulerSequence; store: Store }) {
+  const letters = [...sequence.axes].join("-");
+  return (
+    <p>
+      {words.free}{" "}
+      <button type="button" class="fix" onClick={() => store.set({ euler: sequence })}>
+        <span class="fix-label">{words.showSequence(letters)}</span>
+      </button>
+    </p>
   );
 }
 

@@ -31,6 +31,10 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
     rotationVectorRad,
   );
   const values = turnValues(report);
+  const tangents = [
+    { ...words.gibbs, text: "gibbs", vector: report.turn.gibbsVector },
+    { ...words.rodrigues, text: "mrp", vector: report.turn.modifiedRodriguesParameters },
+  ];
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label={words.facts}>
@@ -85,6 +89,22 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
         </p>
         <p>{words.rotationVectorNote}</p>
       </div>
+      {tangents.map(({ name, of, vector, text, note }) => (
+        <div key={name} class="fact">
+          <h2>{name}</h2>
+          <p class="fact-value">
+            {vector === undefined ? (
+              words.infinite
+            ) : (
+              <>
+                <code>{shownArray(vector, digits)}</code>
+                <Copy of={of} text={`${text} ${exactArray(vector)}`} />
+              </>
+            )}
+          </p>
+          <p>{note}</p>
+        </div>
+      ))}
       <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
         <h2>{otherSign.heading}</h2>

@@ -1,30 +1,33 @@
 // Every example with what it teaches, each a link.
+import { useMemo } from "preact/hooks";
 import { type PageState, toFragment, views } from "../address.ts";
 import { stateOf } from "../examples.ts";
-import { exampleNames, gallery } from "../gallery.ts";
+import { exampleNames, exampleOf } from "../gallery.ts";
 import type { Store } from "../state.ts";
 import { exampleWords, groupWords } from "../words/gallery.ts";
 import { hideOverlay } from "./Overlay.tsx";
 
 export function Gallery({ store }: { store: Store }) {
   const state = store.state.value;
+  // The random one stays as it is while the gallery is open.
+  const examples = useMemo(() => exampleNames.map((name) => ({ name, ...exampleOf(name) })), []);
   const groups = views
-    .map((view) => ({ view, names: exampleNames.filter((name) => gallery[name].view === view) }))
-    .filter(({ names }) => names.length > 0);
+    .map((view) => ({ view, shown: examples.filter((example) => example.view === view) }))
+    .filter(({ shown }) => shown.length > 0);
   const leave = () => {
     hideOverlay();
     scrollTo({ top: 0 });
   };
-  return groups.map(({ view, names }) => (
+  return groups.map(({ view, shown }) => (
     <section key={view} class="gallery-group" aria-labelledby={`gallery-${view}`}>
       <h3 id={`gallery-${view}`}>{groupWords[view]}</h3>
       <ul class="gallery">
-        {names.map((example) => {
-          const [name, teaches] = exampleWords[example];
+        {shown.map((example) => {
+          const [title, teaches] = exampleWords[example.name];
           return (
-            <li key={example}>
-              <a href={linkTo(stateOf(gallery[example], state))} onClick={leave}>
-                {name}
+            <li key={example.name}>
+              <a href={linkTo(stateOf(example, state))} onClick={leave}>
+                {title}
               </a>
               <p>{teaches}</p>
             </li>

@@ -1,7 +1,7 @@
 // The Translate view: four numbers from one library or convention to another.
 import { type Digits, opening, type PageState, toFragment } from "../address.ts";
 import { inverseAxes } from "../axis_texts.ts";
-import { endValues } from "../copy/values.ts";
+import { endQuaternion } from "../copy/values.ts";
 import type { TranslateReport } from "../engine.ts";
 import { exact, shown } from "../format.ts";
 import type { Store } from "../state.ts";
@@ -206,7 +206,7 @@ function Result({
                 name={words.components(names[side], report[side].order)}
                 components={report[side].components}
                 convention={report[side]}
-                value={endValues(names[side], report[side]).quaternion}
+                value={endQuaternion(report[side])}
                 digits={digits}
               />
             </div>

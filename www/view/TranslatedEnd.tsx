@@ -36,7 +36,9 @@ export function EndColumn({
   digits: Digits;
 }) {
   const library = libraryWith(engine, end.library);
-  const values = endValues(name, end);
+  // Of other norms a library may print something else, which is not known to the last digit.
+  const matrixOf = isUnit || library?.nonUnit?.matrix === "normalised" ? "as-printed" : "of-unit";
+  const values = endValues(name, end, matrixOf);
   const { assumed, components, constructorOrder, matrix } = end;
   const otherOrder =
     constructorOrder !== undefined && constructorOrder !== end.order ? constructorOrder : undefined;
@@ -69,7 +71,7 @@ export function EndColumn({
             name={words.matrix(name)}
             symbol={
               <>
-                {library && words.asPrinted}
+                {(library || matrixOf === "of-unit") && words.matrixOf[matrixOf]}
                 <Of action={matrix.form} />
               </>
             }

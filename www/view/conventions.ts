@@ -1,5 +1,5 @@
 // What a convention is called, and which preset it is like.
-import { type Axis, axes, type Preset } from "../address.ts";
+import { type Axis, axes, type PageState, type Preset } from "../address.ts";
 import type { Convention, Direction, Engine, Handedness } from "../engine.ts";
 import { axisWords, conventionNames } from "../words/conventions.ts";
 
@@ -40,22 +40,36 @@ export function presetLike(convention: Convention, engine: Engine): Preset | und
   );
 }
 
+export const namedConventions = Object.keys(conventionNames) as (keyof typeof conventionNames)[];
+
 /** Which of the conventions that have a name it is; the perturbation is none of its business. */
 export function namedOf(
   convention: Convention,
   engine: Engine,
 ): keyof typeof conventionNames | undefined {
-  const { hamilton, jpl } = engine;
-  const named: Record<keyof typeof conventionNames, Convention> = {
-    hamilton,
-    jpl,
-    eigen: { ...hamilton, order: "scalar-last" },
-    eq18: { ...jpl, direction: "body-to-world" },
-    "my-lab": { ...hamilton, function: "active", direction: "world-to-body" },
+  return namedConventions.find((name) => agree(["order", ...actions], engine[name], convention));
+}
+
+/** The axes in which a convention differs from a preset; what is as in it is no choice of its own. */
+export function differing(convention: Convention, base: Convention): Partial<Convention> {
+  const names = axes.filter((name) => convention[name] !== base[name]);
+  return Object.fromEntries(names.map((name) => [name, convention[name]]));
+}
+
+/** What a named convention declares: the preset of its product, its axes, and the matrix beside it. */
+export function declarationOf(
+  name: (typeof namedConventions)[number],
+  engine: Engine,
+): Pick<PageState, "preset" | "axes" | "matrix"> {
+  const convention = engine[name];
+  const preset = presetOf[convention.handedness];
+  // “My Lab” pairs its quaternion with the passive matrix of the same direction.
+  const direction = name === "myLab" ? convention.direction : "body-to-world";
+  return {
+    preset,
+    axes: differing(convention, engine[preset]),
+    matrix: { function: "passive", direction },
   };
-  return (Object.keys(named) as (keyof typeof named)[]).find((name) =>
-    agree(["order", ...actions], named[name], convention),
-  );
 }
 
 /** The name of a convention that has one. */

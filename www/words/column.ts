@@ -13,6 +13,10 @@ export const unit = "the same rotation with norm 1";
 export const productMatrices = "Product matrices";
 export const leftProductOf = (convention: string) => `${convention} left product matrix`;
 export const rightProductOf = (convention: string) => `${convention} right product matrix`;
-export const onOrder = (order: string) => `on ${order}`;
+/** Which numbers a product matrix multiplies, and of which q it is. */
+export const onOrder = {
+  unit: (order: string) => `on ${order}`,
+  typed: (order: string) => `on ${order}, of q with its norm`,
+};
 export const rowByRow = (matrix: string) => `${matrix}, row by row`;
 export const beyondDouble = "beyond the range of a double";

@@ -68,9 +68,9 @@ export const wordsOf = {
 export const conventionNames = {
   hamilton: "Hamilton",
   jpl: "JPL",
-  eigen: "Hamilton as Eigen and ROS store it",
-  eq18: "JPL of Yoosefian 2021, eq. 18",
-  "my-lab": "“My Lab” of the field guide",
+  hamiltonScalarLast: "Hamilton as Eigen and ROS store it",
+  jplBodyToWorld: "JPL of Yoosefian 2021, eq. 18",
+  myLab: "“My Lab” of the field guide",
 } as const;
 
 /** What the values of each axis are called, and what they do. */

@@ -1,5 +1,6 @@
 // What copied values say they are; plain ASCII, since they go into source files.
-import type { Direction, Frame } from "../engine.ts";
+import type { EndMatrix } from "../copy/values.ts";
+import type { Direction, Frame, PrintedMatrix } from "../engine.ts";
 
 export const copiedWords = {
   direction: {
@@ -14,9 +15,18 @@ export const copiedWords = {
   frames: (start: Frame, end: Frame) => `${frames[start]} to ${frames[end]}, multiplies columns`,
   leftProduct: (letters: string) => `q p = L p, on ${letters}`,
   rightProduct: (letters: string) => `p q = R p, on ${letters}`,
-  printedMatrix: (name: string, vectors: "column" | "row") =>
-    `as ${name} prints it; it multiplies ${vectors === "column" ? "columns, M v" : "rows, v M"}`,
+  endMatrix: {
+    "as-printed": (name: string, { vectors }: PrintedMatrix) =>
+      `as ${name} prints it; it ${multiplies[vectors]}`,
+    "of-unit": (name: string, { form, vectors }: PrintedMatrix) =>
+      `${form}(q/|q|) of the numbers of ${name}; it ${multiplies[vectors]}`,
+  } satisfies Record<EndMatrix, unknown>,
   newAxes: (of: string, text: string) => `new axes of the ${of}: new x y z = ${text}`,
+};
+
+const multiplies: Record<PrintedMatrix["vectors"], string> = {
+  column: "multiplies columns, M v",
+  row: "multiplies rows, v M",
 };
 
 const frames: Record<Frame, string> = {

@@ -1,5 +1,5 @@
 // What copied code says of itself. It goes into source files: plain ASCII.
-import type { Copied, CopiedEuler, CopiedQuaternion } from "../copy/copied.ts";
+import { type Copied, type CopiedEuler, type CopiedQuaternion, isNormOne } from "../copy/copied.ts";
 import type { CodeFormat } from "../copy/formats.ts";
 import type { ComponentOrder, Convention, Direction } from "../engine.ts";
 
@@ -64,9 +64,6 @@ const libraries: Partial<Record<CodeFormat, Library>> = {
   },
 };
 
-/** A norm that differs from 1 by more than rounding. */
-const roundingOfNorm = 1e-14;
-
 /** Between which coordinates the matrix R of four numbers of a convention leads. */
 type DirectionOfR = (convention: Convention) => Direction;
 
@@ -75,20 +72,17 @@ function quaternionSays(
   format: CodeFormat,
   directionOfR: DirectionOfR,
 ): string[] {
-  const { components, convention, symbol } = value;
+  const { norm, convention, symbol } = value;
   const { handedness, function: does, direction, order } = convention;
   const library = libraries[format];
   const name = conventionNames[handedness];
   const labels = `${does === "active" ? "active, " : ""}${directionWords[direction]}`;
-  const norm = Math.hypot(components.w, components.x, components.y, components.z);
   return [
     library === undefined
       ? `${symbol}: ${name} (${productWords[handedness]}), ${letters[order]}, ${labels}`
       : `${symbol}: ${name} (${productWords[handedness]}), ${labels}; ${library.takes}`,
     ...(library === undefined ? [] : libraryMatrix(value, library, directionOfR)),
-    ...(Math.abs(norm - 1) > roundingOfNorm
-      ? [`its norm is ${Number.isFinite(norm) ? norm : "beyond a double"}, not 1`]
-      : []),
+    ...(isNormOne(norm) ? [] : [`its norm is ${norm ?? "beyond a double"}, not 1`]),
   ];
 }
 

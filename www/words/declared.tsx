@@ -1,5 +1,6 @@
 // The words of a declared convention that is neither preset.
-import type { ComponentChildren } from "preact";
+import type { MatrixConvention } from "../engine.ts";
+import { arrowOf } from "./conventions.ts";
 
 export const yours = "Your convention";
 export const named = (symbol: string) => `${symbol} as declared`;
@@ -12,16 +13,7 @@ export const matrixDoes = {
   passive: (arrow: string) => arrow,
   active: (arrow: string) => `turns x; passively it is ${arrow}`,
 };
-export const multiplies = "What this convention multiplies";
-export const components = (isCanonical: boolean) =>
-  `Components: ${isCanonical ? "those of Hamilton" : "the conjugate of Hamilton's"}.`;
-export const labels = (product: ComponentChildren, made: ComponentChildren) => (
-  <>
-    By labels {product} is {made}.
-  </>
-);
-export const camera = (product: ComponentChildren) => (
-  <>A camera C on the body B: {product} is its quaternion in the world.</>
-);
-export const increment = (product: ComponentChildren) => <>A small turn: {product}.</>;
-export const bodyRate = (derivative: ComponentChildren) => <>The body's rate: {derivative}.</>;
+export const pairedMatrix = "matrix as chosen beside q";
+/** The function and the direction that were chosen for matrices. */
+export const paired = ({ function: does, direction }: MatrixConvention) =>
+  `chosen beside q: ${does}, ${arrowOf(direction)}`;

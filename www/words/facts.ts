@@ -8,6 +8,18 @@ export const carries = "Carries the world axes onto the body axes, right-handed.
 export const rotationVector = "Rotation vector";
 export const rotationVectorNote = "Angle times axis, in radians. No convention changes it.";
 export const rotationVectorCopied = "rotation vector";
+/** Vectors along the axis whose length is a tangent. */
+export const gibbs = {
+  name: "Gibbs vector",
+  of: "Gibbs vector",
+  note: "tan(angle/2) times axis: x y z divided by w, the Rodrigues parameters. Infinite at half a turn.",
+};
+export const rodrigues = {
+  name: "Modified Rodrigues parameters",
+  of: "modified Rodrigues parameters",
+  note: "tan(angle/4) times axis, of the shorter turn; at half a turn its length is 1.",
+};
+export const infinite = "infinite: half a turn";
 export const oppositeCopied = "minus q";
 
 export const eulerAngles = "Euler angles";
@@ -18,6 +30,9 @@ export const frames: Record<EulerFrame, string> = {
   intrinsic: "about the moving axes (intrinsic)",
   extrinsic: "about the fixed axes (extrinsic)",
 };
+/** At gimbal lock: what comes before the button. */
+export const free = "Another order of the axes is not locked here:";
+export const showSequence = (letters: string) => `Show ${letters}`;
 /** The angles of intrinsic ZYX. */
 export const yawPitchRoll = ["yaw", "pitch", "roll"];
 /** The angles of a sequence about these axes that has no names for them. */

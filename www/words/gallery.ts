@@ -52,6 +52,14 @@ export const exampleWords: Record<ExampleName, [name: string, teaches: string]> 
     "A norm that is not 1",
     "The inverse is the conjugate divided by the squared norm; the matrices use q/|q|.",
   ],
+  "my-lab": [
+    "“My Lab” of the field guide",
+    "Active, world to body, with a passive matrix beside it: Hamilton's numbers, and their C(q).",
+  ],
+  random: [
+    "A random attitude",
+    "Another one each time, every attitude as likely as any other: a good number to test with.",
+  ],
   "jpl-body-to-world": [
     "JPL, stated body to world",
     "Here the same matrix does need the conjugate (Yoosefian 2021, eq. 18).",

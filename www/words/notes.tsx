@@ -18,7 +18,7 @@ const sources: Record<OrderSource, string> = {
 };
 
 const outOfRange: Record<OutOfRangeNumber, string> = {
-  norm: "The norm is beyond the range of a double.",
+  norm: "Numbers for the new axes with this norm are beyond the range of a double; those of norm 1 are shown.",
   inverse: "The inverse is beyond the range of a double and is left out.",
   image: "The turned vector is beyond the range of a double and is left out.",
   product:

@@ -23,8 +23,9 @@ export const citeWords = {
     `${handedness === "right" ? "Hamilton" : "JPL"} (${order === "scalar-first" ? "w x y z" : "x y z w"}, ${
       does === "active" ? "active, " : ""
     }${directions[direction]})`,
+  unitQuaternion: (numbers: string) => `Unit quaternion ${numbers}`,
   quaternion: (numbers: string, norm: string | undefined) =>
-    norm === undefined ? `Unit quaternion ${numbers}` : `Quaternion ${numbers} of norm ${norm}`,
+    `Quaternion ${numbers} of ${norm === undefined ? "a norm beyond a double" : `norm ${norm}`}`,
   turn: (angle: string, axis: string) => `${angle} about ${axis}`,
   noTurn: "no turn",
   read: (quaternion: string, convention: string, turn: string) =>

@@ -1,5 +1,6 @@
 // The words of one end of a translation.
 import type { ComponentChildren } from "preact";
+import type { EndMatrix } from "../copy/values.ts";
 import type { Assumption, Direction, Side } from "../engine.ts";
 import { notEstablished, takesWords } from "./library_behaviour.ts";
 
@@ -20,7 +21,10 @@ export const code = "code";
 export const copiedLine = (name: string) => `the line of code of ${name}`;
 export const copiedCall = (name: string) => `the call of ${name}`;
 export const matrix = (name: string) => `matrix of ${name}`;
-export const asPrinted = "as printed, ";
+export const matrixOf = {
+  "as-printed": "as printed, ",
+  "of-unit": "of q/|q|, ",
+} satisfies Record<EndMatrix, string>;
 export const noMatrix = `What it prints as the matrix is ${notEstablished}.`;
 export const constructed = (name: string) => `q of ${name} as its constructor takes it`;
 export const constructedNote = "as its constructor takes them";

@@ -164,6 +164,9 @@ pub mod request;
 // The sentences of problems of any text.
 mod messages;
 
+// The sentences of problems of marks and signs.
+mod mark_messages;
+
 // The sentences of problems of matrices.
 mod matrix_messages;
 
@@ -176,6 +179,9 @@ mod library_messages;
 // What consoles write around numbers.
 mod console;
 
+// What stands between tokens.
+mod blank;
+
 // Text to tokens.
 mod lex;
 
@@ -184,6 +190,9 @@ mod linear;
 
 // The members that a text consists of.
 mod tree;
+
+// Signs that may mean two things.
+mod signs;
 
 // The tokens on their way through the grammar.
 mod input;

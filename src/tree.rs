@@ -28,8 +28,8 @@ pub(crate) struct Entry<'t> {
     pub(crate) key: Option<Key<'t>>,
     pub(crate) node: Node<'t>,
     pub(crate) lead: Lead,
-    /// A sign of this member with white space on both sides, where it may mean something else.
-    pub(crate) loose_sign: Option<Span>,
+    /// What a sign of this member may mean besides, where only white space separates the members.
+    pub(crate) doubtful_sign: Option<Fault>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]

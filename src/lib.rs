@@ -215,6 +215,12 @@ mod names;
 // Lists of plain numbers.
 mod numbers;
 
+// The texts that may be written in place of one with a problem.
+mod rewrites;
+
+// The numbers that stand in any text.
+mod typed_numbers;
+
 // Members to named components.
 mod meaning;
 

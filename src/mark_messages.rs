@@ -4,6 +4,8 @@
 use crate::blank::is_space_of_numbers;
 use crate::messages::Fault;
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
+use crate::rewrites::{decorates, plain_character};
+use crate::typed_numbers::is_dash;
 
 impl Fault {
     pub(crate) fn unexpected_character(span: Span, character: char) -> Self {
@@ -16,9 +18,7 @@ impl Fault {
                 "write it in place of the ?",
             );
         }
-        // What is not seen, or turns the writing round, has a name instead.
-        let is_visible = !character.is_control() && !is_format_character(character);
-        let shown = if is_visible {
+        let shown = if is_visible(character) {
             character.to_string()
         } else {
             format!("U+{:04X}", u32::from(character))
@@ -28,7 +28,7 @@ impl Fault {
             span,
             format!("the character {shown} has no meaning here"),
             "digits, names, brackets and the signs + - * / √ , : =",
-            "remove it",
+            hint_about(character),
         )
     }
 
@@ -103,6 +103,27 @@ impl Fault {
             "remove it inside a number, or write a plain space between two",
         )
     }
+}
+
+/// What to try with a character that means nothing here.
+fn hint_about(character: char) -> String {
+    let plain = plain_character(character);
+    if plain != character {
+        return format!("write {plain} in its place");
+    }
+    let hint = if is_dash(character) {
+        "write - before the number where a minus is meant"
+    } else if decorates(character) || !is_visible(character) {
+        "remove it"
+    } else {
+        "write the numbers that come out of it, or remove it where it means nothing"
+    };
+    hint.to_owned()
+}
+
+/// What is not seen, or turns the writing round, has a name instead.
+fn is_visible(character: char) -> bool {
+    !character.is_control() && !is_format_character(character)
 }
 
 /// What a character is called that cannot be shown, with its number.

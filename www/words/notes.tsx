@@ -172,6 +172,7 @@ export const remedyWords: Record<Remedy, string> = {
   "plain-characters": "Write plain characters",
   "remove-mark": "Remove the mark",
   "attach-sign": "Join the sign to its number",
+  "separate-numbers": "Separate the numbers",
   "add-sign": "Add the sign",
   "add-zeros": "Write 0 for what is missing",
   "name-number": "Name the number",

@@ -1,6 +1,7 @@
 //! A text to an attitude, and the attitude to numbers in a convention.
 
 use crate::angle::{AngleUnit, UnitSource};
+use crate::bare_arguments;
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::euler_sequence::EulerSequence;
 use crate::kinematics::RateAxes;
@@ -56,7 +57,7 @@ pub(crate) struct Attitude {
     form: Form,
     /// How the text of a quaternion told its order.
     parsed: Option<ParsedQuaternion>,
-    /// The unit of the angles, where it was only assumed.
+    /// The unit of the angles, or of those inside functions, where it was only assumed.
     unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
@@ -70,8 +71,16 @@ impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
         let read = |text: &str| Self::read(text, field, declared);
-        read(text).map_err(|problem| {
+        let attitude = read(text).map_err(|problem| {
             with_suggestion(problem, text, &|candidate| read(candidate).map(drop))
+        })?;
+        let is_read = |text: &str| read(text).is_ok();
+        Ok(Self {
+            unit: attitude
+                .unit
+                .clone()
+                .or_else(|| bare_arguments::unit_assumed(text, &is_read)),
+            ..attitude
         })
     }
 

@@ -230,6 +230,9 @@ mod matrix_rows;
 // Angles with units to radians.
 mod angles;
 
+// Numbers without a unit inside sines and cosines.
+mod bare_arguments;
+
 // An axis and its angle.
 mod axis;
 

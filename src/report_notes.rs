@@ -32,7 +32,7 @@ pub enum Fact {
     OrderInvisible,
     /// The text is a call whose order is not known here.
     UnknownConstructor(UnknownConstructor),
-    /// The angles have no unit, so one was assumed.
+    /// The angles, or the numbers inside sin, cos and tan, have no unit, so one was assumed.
     AngleUnitAssumed(AngleUnitAssumed),
     /// Nothing marks the rows of nine numbers, so they were read row by row.
     RowsAssumed(RowsAssumed),

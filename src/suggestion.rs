@@ -121,14 +121,14 @@ fn mended(
     found.next().is_none().then_some(only)
 }
 
-/// Three rows, each on a line of its own, as the shortest numbers that read back as the same doubles.
+/// Three rows, each on a line of its own, as the shortest numbers that read back as the same doubles;
+/// none of those of a report is −0.
 pub(crate) fn rows_text(rows: &[[f64; 3]; 3]) -> String {
     rows.map(|row| row.map(exact).join(" ")).join("\n")
 }
 
 fn exact(number: f64) -> String {
-    // Adding 0 makes a zero of a negative one.
-    let text = shortest(number + 0.0);
+    let text = shortest(number);
     match text.strip_suffix(".0") {
         Some(whole) => whole.to_owned(),
         None => text,

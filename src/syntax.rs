@@ -24,10 +24,19 @@ const MOST_WORDS_OF_A_KEY: usize = 2;
 
 /// Reads all tokens of a text, or of a part of it.
 pub(crate) fn entries<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    members(tokens, Spaces::Separate)
+}
+
+/// Reads the tokens between the brackets of a function.
+pub(crate) fn arguments<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    members(tokens, Spaces::Ignored)
+}
+
+fn members<'t>(tokens: &[Token<'t>], spaces: Spaces) -> Result<Vec<Entry<'t>>, Fault> {
     let state = State {
         text_end: tokens.last().map_or(0, |last| last.span.end),
         depth: 0,
-        spaces: Spaces::Separate,
+        spaces,
         doubtful_sign: None,
         repeated_sign: None,
     };

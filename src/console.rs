@@ -2,6 +2,7 @@
 
 use crate::blank::is_blank;
 use crate::numbers::only_numbers;
+use crate::problem::is_too_long;
 use nalgebra::Matrix3;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -38,6 +39,9 @@ fn typed_list(text: &str, bracket: usize) -> Option<Range<usize>> {
 
 /// The rotation part of sixteen numbers whose last row and last column are 0, 0, 0, 1.
 pub(crate) fn homogeneous(text: &str) -> Option<Matrix3<f64>> {
+    if is_too_long(text) {
+        return None;
+    }
     let numbers = only_numbers(&without_wrappers(text))?;
     let entry = |row: usize, column: usize| numbers[4 * row + column].value;
     let is_affine = numbers.len() == 16

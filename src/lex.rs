@@ -13,9 +13,6 @@ use winnow::combinator::{alt, delimited, not, opt, peek, repeat};
 use winnow::prelude::*;
 use winnow::token::{any, one_of, take_while};
 
-/// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
-pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
-
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TokenKind {
     Number(f64),

@@ -9,7 +9,7 @@ use crate::observation::{Numbers, Printed, Question};
 use crate::parse::{ParsedRotation, parse_quaternion, parse_rotation, parse_vector};
 use crate::perturbation::exponential;
 use crate::probe::{MatrixLayout, Probe};
-use crate::problem::{Field, Problem, ProblemCode, Span};
+use crate::problem::{Field, Problem, ProblemCode, Span, is_too_long};
 use crate::report::OrderSource;
 use nalgebra::{Matrix3, Quaternion};
 
@@ -78,7 +78,7 @@ fn written_layout(layout: MatrixLayout, printed: &str, language: Language) -> Ma
 /// What came out; `None` where nothing was entered yet.
 pub(crate) fn printed(probe: &Probe) -> Result<Option<Printed>, Problem> {
     let text = probe.printed();
-    if text.trim().is_empty() {
+    if !is_too_long(text) && text.trim().is_empty() {
         return Ok(None);
     }
     let field = Field::Printed;

@@ -92,7 +92,7 @@ use crate::announced;
 use crate::calls;
 use crate::console;
 use crate::convention::ComponentOrder;
-use crate::lex::{self, MAX_TEXT_BYTES, Token};
+use crate::lex::{self, Token};
 use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
@@ -100,7 +100,7 @@ use crate::messages::Fault;
 use crate::names::component;
 use crate::numbers;
 use crate::phrases::Form;
-use crate::problem::{Field, Problem, Span, Wanted};
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem, Span, Wanted, is_too_long};
 use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
 use crate::settings::without_settings;
@@ -142,6 +142,7 @@ pub fn parse_rotation(
     field: Field,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
     let text = &*console::without_wrappers(text);
     read(text, Wanted::Quaternion)
         .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
@@ -203,17 +204,24 @@ pub fn parse_quaternion(
 /// # Ok::<(), quatlas::Problem>(())
 /// ```
 pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
     let text = &*console::without_wrappers(text);
     read(text, Wanted::Vector)
         .and_then(|(tokens, span)| meaning::vector(&syntax::entries(&tokens)?, span))
         .map_err(|fault| fault.in_field(field))
 }
 
-fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
-    let span = Span::of_trimmed(text);
-    if text.len() > MAX_TEXT_BYTES {
+/// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
+fn check_length(text: &str) -> Result<(), Fault> {
+    if is_too_long(text) {
+        let span = Span::of_trimmed(text);
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
     }
+    Ok(())
+}
+
+fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
+    let span = Span::of_trimmed(text);
     let tokens = lex::tokens(text)?;
     if tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));

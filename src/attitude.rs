@@ -97,7 +97,11 @@ impl Attitude {
                     axis: coordinates(&parsed.axis),
                     angle_rad: plain(parsed.angle_rad),
                 };
-                let rotation = Rotation::from_axis_angle(parsed.axis.into(), parsed.angle_rad);
+                let rotation = Rotation::from_axis_angle_in(
+                    parsed.unit.unit(),
+                    parsed.axis.into(),
+                    parsed.angle_rad,
+                );
                 (Form::AxisAngle(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::RotationVector(parsed) => {
@@ -114,7 +118,8 @@ impl Attitude {
                     sequence: parsed.sequence,
                     angles_rad: parsed.angles_rad.map(plain),
                 };
-                let rotation = Rotation::from_euler_rad(parsed.sequence, parsed.angles_rad);
+                let rotation =
+                    Rotation::from_euler_in(parsed.unit.unit(), parsed.sequence, parsed.angles_rad);
                 (Form::EulerAngles(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::Matrix(entries) => {
@@ -237,11 +242,20 @@ impl Attitude {
         if deviation.is_none_or(|deviation| deviation.abs() > UNIT_NORM_TOLERANCE) {
             facts.push(Fact::Normalised(Normalised { norm, deviation }));
         }
-        if self.parsed.is_some() && self.tagged.components.w < 0.0 {
+        if self.has_negative_scalar() {
             facts.push(Fact::NegativeScalar);
         }
         facts.extend(self.extreme_fact());
         facts.into_iter().map(|fact| Note { field, fact }).collect()
+    }
+
+    /// Of angles more than half a turn has one; where it is only rounding that is half a turn.
+    fn has_negative_scalar(&self) -> bool {
+        let least = match self.form {
+            Form::Quaternion => 0.0,
+            _ => -HALF_TURN_SCALAR,
+        };
+        self.tagged.components.w < least
     }
 
     /// That the turn is none or half a turn, or nearly.

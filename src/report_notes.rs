@@ -38,7 +38,8 @@ pub enum Fact {
     RowsAssumed(RowsAssumed),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
-    /// The scalar is negative: −q is the same rotation and names the shorter turn.
+    /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
+    /// one more turn leads, is the same rotation and names the shorter turn.
     NegativeScalar,
     /// The rotation is none: every axis is as good, so none is given.
     NoTurn,

@@ -105,8 +105,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "negative-scalar":
       return (
         <>
-          The scalar is negative: −{symbol}, to which one more turn leads, is the same rotation and
-          names the shorter turn, which is the one given below.
+          The scalar is negative: −{symbol} is the same rotation, one more turn away, and names the
+          shorter turn, which is the one given below.
         </>
       );
     case "no-turn":

@@ -4,7 +4,7 @@ use crate::lex::Token;
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
-use crate::signs::RepeatedSign;
+use crate::signs::{DoubtfulSign, RepeatedSign};
 use crate::tree::{Node, NodeKind};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{Stateful, Stream as _};
@@ -18,7 +18,7 @@ pub(crate) struct State {
     pub(crate) depth: usize,
     pub(crate) spaces: Spaces,
     /// The first sign of this member that may mean something else.
-    pub(crate) doubtful_sign: Option<Fault>,
+    pub(crate) doubtful_sign: Option<DoubtfulSign>,
     /// Signs that follow each other, until it is known of what.
     pub(crate) repeated_sign: Option<RepeatedSign>,
 }

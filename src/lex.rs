@@ -158,6 +158,12 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
         }
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
+            if let Some(before) = tokens.last()
+                && spacing == Spacing::Apart
+                && is_group_of_thousands(before, written)
+            {
+                return Err(Fault::grouped_digits(before.span.to(span)));
+            }
         }
         // Two numbers that touch (`0.5.5`, `1½`) were not meant as two, and `0.92(3)` is a number
         // with its uncertainty, not a product.
@@ -232,6 +238,21 @@ fn check_literal(value: f64, written: &str, span: Span) -> Result<(), Fault> {
         return Err(Fault::too_small(span));
     }
     Ok(())
+}
+
+/// Whether digits behind a number are its thousands, as in `10 000`: three that begin with a 0, which
+/// nobody writes before a number of its own.
+fn is_group_of_thousands(before: &Token<'_>, written: &str) -> bool {
+    let is_group = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    matches!(before.kind, TokenKind::Number(_))
+        && is_group(before.text)
+        && (1..=3).contains(&before.text.len())
+        && !before.text.starts_with('0')
+        && written
+            .split('.')
+            .next()
+            .is_some_and(|whole| whole.len() == 3 && is_group(whole))
+        && written.starts_with('0')
 }
 
 /// One character that continues a name.

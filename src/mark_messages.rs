@@ -74,6 +74,16 @@ impl Fault {
         )
     }
 
+    pub(crate) fn grouped_digits(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "this can be one number whose digits are grouped, or two numbers",
+            "digits that stand together, or numbers without a 0 before them",
+            "write 10000 for 10 000, and 0 for 000",
+        )
+    }
+
     pub(crate) fn drawn_line(span: Span, drawn: &str) -> Self {
         let drawn = shorten(drawn, QUOTED_CHARACTERS);
         Self::new(

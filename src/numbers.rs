@@ -7,6 +7,7 @@ use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::names::without_options;
 use crate::problem::Span;
+use crate::signs::Meanings;
 use crate::tree::{Entry, Lead, Node, NodeKind};
 
 /// What a list, or a call that only holds or makes a vector, holds.
@@ -50,13 +51,17 @@ pub(crate) fn commas_separate(entries: &[Entry<'_>]) -> bool {
     entries.iter().any(|entry| entry.lead == Lead::AfterComma)
 }
 
-/// A sign among numbers that only spaces separate must touch its number, and no other.
+/// A sign among numbers that only spaces separate must touch its number, and no other; so must all of
+/// those that seem to be one.
 pub(crate) fn check_signs(entries: &[Entry<'_>]) -> Result<(), Fault> {
-    let mut doubtful = entries
+    let doubtful = entries
         .iter()
-        .filter_map(|entry| entry.doubtful_sign.as_ref());
-    match doubtful.next() {
-        Some(fault) if spaces_separate(entries) => Err(fault.clone()),
+        .find_map(|entry| entry.doubtful_sign.as_ref());
+    match doubtful {
+        Some(sign) if spaces_separate(entries) => Err(sign.fault.clone()),
+        Some(sign) if entries.len() == 1 && sign.meanings == Meanings::DifferenceOrTwoNumbers => {
+            Err(sign.fault.clone())
+        }
         _ => Ok(()),
     }
 }

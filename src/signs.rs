@@ -5,6 +5,30 @@ use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::QUOTED_CHARACTERS;
 
+/// A sign that may mean something else, where only white space separates numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct DoubtfulSign {
+    pub(crate) fault: Fault,
+    pub(crate) meanings: Meanings,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meanings {
+    /// A sign, a difference, or a dash between two members.
+    SignOrDash,
+    /// A difference, or the sign of a number that runs into the one before it.
+    DifferenceOrTwoNumbers,
+}
+
+impl DoubtfulSign {
+    pub(crate) const fn apart(fault: Fault) -> Self {
+        Self {
+            fault,
+            meanings: Meanings::SignOrDash,
+        }
+    }
+}
+
 /// Two signs or more before one number: `--0.5`, `-+0.5`.
 #[derive(Clone, Debug)]
 pub(crate) struct RepeatedSign {
@@ -43,7 +67,7 @@ pub(crate) fn run_together(
     augend: &[Token<'_>],
     sign: Token<'_>,
     addend: &[Token<'_>],
-) -> Option<Fault> {
+) -> Option<DoubtfulSign> {
     let [.., one] = typed_number(augend)? else {
         return None;
     };
@@ -51,7 +75,10 @@ pub(crate) fn run_together(
         return None;
     };
     let written = [one.text, sign.text, other.text].concat();
-    Some(Fault::run_together(one.span.to(other.span), &written))
+    Some(DoubtfulSign {
+        fault: Fault::run_together(one.span.to(other.span), &written),
+        meanings: Meanings::DifferenceOrTwoNumbers,
+    })
 }
 
 /// The tokens of a number that is not computed, without its unit.

@@ -9,7 +9,7 @@ use crate::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
-use crate::signs::{self, RepeatedSign};
+use crate::signs::{self, DoubtfulSign, RepeatedSign};
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
 use winnow::error::ErrMode;
 use winnow::prelude::*;
@@ -157,8 +157,8 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
         }
         if separates && input.state.doubtful_sign.is_none() {
             input.state.doubtful_sign = match (is_apart, touches_next) {
-                (true, _) => Some(Fault::loose_sign(sign.span)),
-                (false, false) => Some(Fault::trailing_sign(sign.span)),
+                (true, _) => Some(DoubtfulSign::apart(Fault::loose_sign(sign.span))),
+                (false, false) => Some(DoubtfulSign::apart(Fault::trailing_sign(sign.span))),
                 (false, true) => signs::run_together(last, sign, addend),
             };
         }
@@ -257,7 +257,7 @@ fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             .peek_token()
             .is_some_and(|next| !next.spacing.is_adjacent());
         if is_loose && input.state.spaces == Spaces::Separate {
-            let fault = || Fault::loose_sign(token.span);
+            let fault = || DoubtfulSign::apart(Fault::loose_sign(token.span));
             input.state.doubtful_sign.get_or_insert_with(fault);
         }
     }

@@ -3,6 +3,7 @@
 use crate::linear::{Linear, Quantity};
 use crate::messages::Fault;
 use crate::problem::Span;
+use crate::signs::DoubtfulSign;
 
 /// A piece of text that was understood.
 #[derive(Clone, Debug)]
@@ -29,7 +30,7 @@ pub(crate) struct Entry<'t> {
     pub(crate) node: Node<'t>,
     pub(crate) lead: Lead,
     /// What a sign of this member may mean besides, where only white space separates the members.
-    pub(crate) doubtful_sign: Option<Fault>,
+    pub(crate) doubtful_sign: Option<DoubtfulSign>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]

@@ -9,7 +9,7 @@ mod property;
 use common::{assert_close, read_request, wasm_bindgen_test, wxyz};
 use quatlas::{
     ComponentOrder, ComposeRequest, Convention, Field, Outcome, ParsedRotation, Problem,
-    ProblemCode, Request, analyze, parse_quaternion, parse_rotation,
+    ProblemCode, Request, analyze, parse_quaternion, parse_rotation, parse_vector,
 };
 
 /// The only problem of a text in one field, beside good texts in the others.
@@ -219,6 +219,36 @@ fn what_is_hardly_seen_inside_a_number_is_named() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn three_digits_that_begin_with_a_zero_may_be_thousands() {
+    check_refused(
+        Field::Vector,
+        ProblemCode::Unexpected,
+        &[
+            ("10 000 5", "10 000", "grouped"),
+            ("1 050 2", "1 050", "grouped"),
+            ("3 2 -123 000.5", "123 000.5", "grouped"),
+        ],
+    );
+    check_refused(
+        Field::Quaternion,
+        ProblemCode::Unexpected,
+        &[("1 000 0 0 0", "1 000", "grouped")],
+    );
+    // As headings are written, of numbers with a point, with commas, and on lines of their own.
+    for text in [
+        "010 000 005",
+        "10.0 000 5",
+        "10, 000, 5",
+        "10\n000\n5",
+        "10 0 5",
+        "10 0.000 5",
+    ] {
+        let vector = parse_vector(text, Field::Vector).expect(text);
+        assert_eq!(vector.as_slice(), [10.0, 0.0, 5.0], "{text}");
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn what_is_hardly_seen_elsewhere_does_no_harm() {
     let texts = [
         "\u{feff}0.6 0 -0.8 0",
@@ -306,6 +336,8 @@ fn numbers_that_run_together_are_no_difference() {
         ("axis-angle 0 0 1-0.5 0.7", "1-0.5", "run together"),
         ("0 -1 0; 1 0-1 0; 0 0 1", "0-1", "run together"),
         ("[0.5-0.5 0.5 0.5]", "0.5-0.5", "run together"),
+        ("-0.5-0.5-0.5-0.5", "0.5-0.5", "run together"),
+        ("rpy 0.1-0.2-0.3", "0.1-0.2", "run together"),
         ("0.5 0.5- 0.5 0.5 0.5", "-", "touches the number before"),
         ("0.5- 0.5 0.5 0.5", "-", "touches the number before"),
         ("0.5+ 0.5 0.5 0.5", "+", "touches the number before"),

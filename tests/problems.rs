@@ -165,6 +165,7 @@ const CASES: &[(&str, &str)] = cases![
     "vector-of-angles-by-label",
     "vector-of-coefficients-in-a-constructor",
     "vector-of-four",
+    "vector-of-grouped-digits",
     "vector-of-numbers-that-run-together",
     "vector-of-two",
     "vector-that-is-empty",

@@ -5,6 +5,7 @@
 //! problems; nothing is thrown and nothing is printed.
 
 use crate::attitude::{Attitude, Declared, euler, rules, turn};
+use crate::bare_arguments;
 use crate::compose::compose as compose_attitudes;
 use crate::convention::Convention;
 use crate::identify::identify;
@@ -63,6 +64,7 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     };
 
     let mut notes = attitude.notes(Field::Quaternion);
+    notes.extend(note_of_vector(&request.vector));
     // Small turns are on the declared axes in both columns.
     let perturbed = |preset: Convention| Convention {
         perturbation: request.convention.perturbation,
@@ -124,6 +126,7 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
 
     let mut notes = p.notes(Field::P);
     notes.extend(q.notes(Field::Q));
+    notes.extend(note_of_vector(&request.vector));
     notes.extend(composition.out_of_range.map(|out_of_range| Note {
         field: Field::P,
         fact: Fact::OutOfRange(out_of_range),
@@ -157,6 +160,16 @@ fn vector_of_text(text: &str) -> Result<Vector3<f64>, Problem> {
     let read = |text: &str| parse_vector(text, Field::Vector);
     read(text)
         .map_err(|problem| with_suggestion(problem, text, &|candidate| read(candidate).map(drop)))
+}
+
+/// That radians were assumed inside the functions of a vector that is read.
+fn note_of_vector(text: &str) -> Option<Note> {
+    let field = Field::Vector;
+    let is_read = |text: &str| parse_vector(text, field).is_ok();
+    bare_arguments::unit_assumed(text, &is_read).map(|unit| Note {
+        field,
+        fact: Fact::AngleUnitAssumed(unit),
+    })
 }
 
 fn problems<const COUNT: usize>(found: [Option<Problem>; COUNT]) -> Vec<Problem> {

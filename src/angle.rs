@@ -46,8 +46,22 @@ impl UnitSource {
     }
 }
 
+/// Below this the parts of a double-double would lose bits: the lower of its two is 2^-53 of it, and
+/// the smallest double is 2^-1074.
+const SMALL_DEG: f64 = 1e-280;
+
+/// Brings every smaller angle, down to the smallest double, above that: 2^200.
+const ENLARGEMENT: f64 = f64::from_bits(0x4c70_0000_0000_0000);
+
 /// The double nearest to `degrees` · π/180, so that 90 gives the double nearest to π/2.
+///
+/// Below 2.2e-308 radians, where doubles have fewer digits, it is rounded twice, which leaves it within
+/// 0.5001 units of the last place.
 pub(crate) fn degrees_in_radians(degrees: f64) -> f64 {
+    if degrees.abs() < SMALL_DEG {
+        let enlarged = consts::PI * (TwoFloat::from(degrees * ENLARGEMENT) / 180.0);
+        return enlarged.hi() / ENLARGEMENT;
+    }
     let exact = (consts::PI * (TwoFloat::from(degrees) / 180.0)).hi();
     if exact.is_finite() {
         return exact;
@@ -69,6 +83,38 @@ pub(crate) fn turn_in_radians(degrees: f64) -> f64 {
     })
 }
 
+/// A right angle, whose multiples are exact in degrees and in no double in radians.
+const QUARTER_TURN_DEG: f64 = 90.0;
+
+/// Sine and cosine of half of an angle, times any positive number. Of degrees whole quarter turns are
+/// exact: 180° has the cosine 0, and 360° the sine.
+pub(crate) fn half_angle_sincos(angle_rad: f64, written_in: AngleUnit) -> (f64, f64) {
+    let quarter_turns = (angle_rad / std::f64::consts::FRAC_PI_2).round();
+    let is_whole = written_in == AngleUnit::Degrees
+        && quarter_turns.abs() * QUARTER_TURN_DEG <= TWO_TURNS_DEG
+        && angle_rad == degrees_in_radians(quarter_turns * QUARTER_TURN_DEG);
+    if !is_whole {
+        return libm::sincos(angle_rad / 2.0);
+    }
+    // Of half of each, the direction: at 45° both are the same, whatever √½ is as a double.
+    const SINCOS: [(f64, f64); 8] = [
+        (0.0, 1.0),
+        (1.0, 1.0),
+        (1.0, 0.0),
+        (1.0, -1.0),
+        (0.0, -1.0),
+        (-1.0, -1.0),
+        (-1.0, 0.0),
+        (-1.0, 1.0),
+    ];
+    let eighths = quarter_turns.rem_euclid(8.0);
+    let (_, found) = (0_u8..8)
+        .zip(SINCOS)
+        .find(|(number, _)| f64::from(*number) == eighths)
+        .unwrap_or((0, SINCOS[0]));
+    found
+}
+
 #[cfg(test)]
 mod tests {
     use super::{degrees_in_radians, turn_in_radians};
@@ -79,6 +125,29 @@ mod tests {
         assert_eq!(turn_in_radians(720e12 + 90.0), FRAC_PI_2);
         assert_eq!(turn_in_radians(-720e12 - 90.0), -FRAC_PI_2);
         assert_eq!(turn_in_radians(720.0), 2.0 * TAU);
+    }
+
+    /// What the smallest angles in radians are in degrees is read back, each as itself.
+    #[test]
+    fn the_smallest_angles_are_read_back() {
+        for units in 1..2000_u64 {
+            let radians = f64::from_bits(units);
+            let read_back = degrees_in_radians(radians.to_degrees());
+            assert_eq!(read_back.to_bits(), units, "{radians:e}");
+        }
+        let mut radians = f64::from_bits(1999);
+        while radians < 1e-250 {
+            radians *= 1.7;
+            let read_back = degrees_in_radians(radians.to_degrees());
+            let error = (read_back / radians - 1.0).abs();
+            assert!(
+                error < 4.0 * f64::EPSILON.max(5e-324 / radians),
+                "{radians:e}"
+            );
+        }
+        // Less than half of the smallest double is none.
+        assert_eq!(degrees_in_radians(1.3e-322), 0.0);
+        assert_eq!(degrees_in_radians(-1.5e-322), -5e-324);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::messages::Fault;
 use crate::problem::Span;
 
 /// A full turn in radians as people round it: 6.28, 6.283, 6.2832.
-const FULL_TURN_RAD: f64 = 6.29;
+pub(crate) const FULL_TURN_RAD: f64 = 6.29;
 
 /// A number where an angle is wanted, and its place.
 pub(crate) type Angle = (Linear, Span);

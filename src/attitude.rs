@@ -1,6 +1,7 @@
 //! A text to an attitude, and the attitude to numbers in a convention.
 
 use crate::angle::{AngleUnit, UnitSource};
+use crate::bare_arguments;
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
 use crate::euler_sequence::EulerSequence;
 use crate::kinematics::RateAxes;
@@ -56,7 +57,7 @@ pub(crate) struct Attitude {
     form: Form,
     /// How the text of a quaternion told its order.
     parsed: Option<ParsedQuaternion>,
-    /// The unit of the angles, where it was only assumed.
+    /// The unit of the angles, or of those inside functions, where it was only assumed.
     unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
@@ -70,8 +71,16 @@ impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
         let read = |text: &str| Self::read(text, field, declared);
-        read(text).map_err(|problem| {
+        let attitude = read(text).map_err(|problem| {
             with_suggestion(problem, text, &|candidate| read(candidate).map(drop))
+        })?;
+        let is_read = |text: &str| read(text).is_ok();
+        Ok(Self {
+            unit: attitude
+                .unit
+                .clone()
+                .or_else(|| bare_arguments::unit_assumed(text, &is_read)),
+            ..attitude
         })
     }
 
@@ -88,7 +97,11 @@ impl Attitude {
                     axis: coordinates(&parsed.axis),
                     angle_rad: plain(parsed.angle_rad),
                 };
-                let rotation = Rotation::from_axis_angle(parsed.axis.into(), parsed.angle_rad);
+                let rotation = Rotation::from_axis_angle_in(
+                    parsed.unit.unit(),
+                    parsed.axis.into(),
+                    parsed.angle_rad,
+                );
                 (Form::AxisAngle(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::RotationVector(parsed) => {
@@ -105,7 +118,8 @@ impl Attitude {
                     sequence: parsed.sequence,
                     angles_rad: parsed.angles_rad.map(plain),
                 };
-                let rotation = Rotation::from_euler_rad(parsed.sequence, parsed.angles_rad);
+                let rotation =
+                    Rotation::from_euler_in(parsed.unit.unit(), parsed.sequence, parsed.angles_rad);
                 (Form::EulerAngles(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::Matrix(entries) => {
@@ -237,11 +251,20 @@ impl Attitude {
         if deviation.is_none_or(|deviation| deviation.abs() > UNIT_NORM_TOLERANCE) {
             facts.push(Fact::Normalised(Normalised { norm, deviation }));
         }
-        if self.parsed.is_some() && self.tagged.components.w < 0.0 {
+        if self.has_negative_scalar() {
             facts.push(Fact::NegativeScalar);
         }
         facts.extend(self.extreme_fact());
         facts.into_iter().map(|fact| Note { field, fact }).collect()
+    }
+
+    /// Of angles more than half a turn has one; where it is only rounding that is half a turn.
+    fn has_negative_scalar(&self) -> bool {
+        let least = match self.form {
+            Form::Quaternion => 0.0,
+            _ => -HALF_TURN_SCALAR,
+        };
+        self.tagged.components.w < least
     }
 
     /// That the turn is none or half a turn, or nearly.

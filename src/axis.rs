@@ -150,7 +150,7 @@ pub(crate) fn alone<'t>(node: &Node<'t>) -> Entry<'t> {
         key: None,
         node: node.clone(),
         lead: Lead::First,
-        loose_sign: None,
+        doubtful_sign: None,
     }
 }
 

@@ -4,6 +4,7 @@
 //! axes. Its axis has the same coordinates in both frames, and no convention
 //! changes its numbers.
 
+use crate::angle::{AngleUnit, half_angle_sincos};
 use crate::rotation::{NoRotation, Rotation};
 use crate::scaling::{self, Norm};
 use nalgebra::{Quaternion, Vector3};
@@ -29,11 +30,20 @@ impl Rotation {
     /// # Ok::<(), quatlas::NoRotation>(())
     /// ```
     pub fn from_axis_angle(axis: [f64; 3], angle_rad: f64) -> Result<Self, NoRotation> {
+        Self::from_axis_angle_in(AngleUnit::Radians, axis, angle_rad)
+    }
+
+    /// The same of an angle that was written in this unit: whole quarter turns of degrees are exact.
+    pub(crate) fn from_axis_angle_in(
+        written_in: AngleUnit,
+        axis: [f64; 3],
+        angle_rad: f64,
+    ) -> Result<Self, NoRotation> {
         if !(axis.iter().all(|number| number.is_finite()) && angle_rad.is_finite()) {
             return Err(NoRotation);
         }
         let unit = scaling::direction(&axis.into()).ok_or(NoRotation)?;
-        let (sine, cosine) = libm::sincos(angle_rad / 2.0);
+        let (sine, cosine) = half_angle_sincos(angle_rad, written_in);
         Ok(Self::from_canonical(&Quaternion::from_parts(
             cosine,
             unit * sine,

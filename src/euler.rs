@@ -1,5 +1,6 @@
 //! Rotation to and from Euler angles, in all 24 sequences and at any distance from gimbal lock.
 
+use crate::angle::{AngleUnit, half_angle_sincos};
 use crate::euler_sequence::{Axis, EulerFrame, EulerSequence};
 use crate::rotation::{NoRotation, Rotation};
 use crate::scaling::Norm;
@@ -89,12 +90,21 @@ impl Rotation {
         sequence: EulerSequence,
         angles_rad: [f64; 3],
     ) -> Result<Self, NoRotation> {
+        Self::from_euler_in(AngleUnit::Radians, sequence, angles_rad)
+    }
+
+    /// The same of angles that were written in this unit: whole quarter turns of degrees are exact.
+    pub(crate) fn from_euler_in(
+        written_in: AngleUnit,
+        sequence: EulerSequence,
+        angles_rad: [f64; 3],
+    ) -> Result<Self, NoRotation> {
         if !angles_rad.iter().all(|angle| angle.is_finite()) {
             return Err(NoRotation);
         }
         let axes = sequence.axes.axes();
         let turn = |place: usize| {
-            let (sine, cosine) = libm::sincos(angles_rad[place] / 2.0);
+            let (sine, cosine) = half_angle_sincos(angles_rad[place], written_in);
             let mut vector = [0.0; 3];
             vector[axes[place].index()] = sine;
             Self::from_canonical(&Quaternion::from_parts(cosine, vector.into()))

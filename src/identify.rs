@@ -10,6 +10,7 @@ use crate::observation::{Printed, Question};
 use crate::observe::{printed, question, rounding};
 use crate::probe::{MatrixLayout, Probe};
 use crate::probe_code::code;
+use crate::problem::is_too_long;
 use crate::report::{
     Contradiction, IdentifyReport, Labels, LibraryMatch, NextProbe, ObservationProblem,
     ObservationReport, Told, Unexplained, remaining,
@@ -108,7 +109,7 @@ impl Read {
             report,
             agreeing: None,
         };
-        if probe.printed().trim().is_empty() {
+        if !is_too_long(probe.printed()) && probe.printed().trim().is_empty() {
             return nothing(ObservationReport::Empty);
         }
         let both = question(probe, language).and_then(|asked| Ok((asked, printed(probe)?)));

@@ -4,6 +4,7 @@ use crate::lex::Token;
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
+use crate::signs::{DoubtfulSign, RepeatedSign};
 use crate::tree::{Node, NodeKind};
 use winnow::error::{ErrMode, ParserError};
 use winnow::stream::{Stateful, Stream as _};
@@ -16,7 +17,10 @@ pub(crate) struct State {
     pub(crate) text_end: usize,
     pub(crate) depth: usize,
     pub(crate) spaces: Spaces,
-    pub(crate) loose_sign: Option<Span>,
+    /// The first sign of this member that may mean something else.
+    pub(crate) doubtful_sign: Option<DoubtfulSign>,
+    /// Signs that follow each other, until it is known of what.
+    pub(crate) repeated_sign: Option<RepeatedSign>,
 }
 
 /// Whether white space separates numbers, as in a list, or not, as in a function's argument.

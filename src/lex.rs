@@ -5,16 +5,13 @@
 //! a quaternion is.
 
 use crate::angle::AngleUnit;
+use crate::blank::{Input, Line, Touching, YamlDash, blank, drawn_run, hidden_in_number};
 use crate::messages::Fault;
 use crate::problem::Span;
-use winnow::ascii::{digit0, digit1, line_ending, space0};
-use winnow::combinator::{alt, delimited, eof, fail, not, opt, peek, repeat, terminated};
+use winnow::ascii::{digit0, digit1};
+use winnow::combinator::{alt, delimited, not, opt, peek, repeat};
 use winnow::prelude::*;
-use winnow::stream::LocatingSlice;
-use winnow::token::{any, one_of, take_till, take_until, take_while};
-
-/// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
-pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
+use winnow::token::{any, one_of, take_while};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TokenKind {
@@ -124,12 +121,8 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
 /// The tokens of a part of a text, with their places in the whole.
 pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
     let text = &whole[..part.end];
-    let yaml_dash = if is_yaml_list(&text[part.start..]) {
-        YamlDash::Separates
-    } else {
-        YamlDash::IsMinus
-    };
-    let mut input = LocatingSlice::new(&text[part.start..]);
+    let yaml_dash = YamlDash::of(&text[part.start..]);
+    let mut input = Input::new(&text[part.start..]);
     let mut tokens = Vec::new();
     let mut line = Line::Start;
     let mut spacing = Spacing::Apart;
@@ -139,9 +132,12 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
             Some(TokenKind::Number(_)) => Touching::Number,
             _ => Touching::Other,
         };
-        if let Some(line_now) = blank(&mut input, line, touching, yaml_dash) {
-            let skipped = &text[before..text.len() - input.len()];
-            spacing = if skipped.contains('\n') {
+        if let Some(line_now) = blank(&mut input, text, line, touching, yaml_dash) {
+            let skipped = Span::from(before..text.len() - input.len());
+            if let Some((span, character)) = hidden_in_number(text, skipped) {
+                return Err(Fault::hidden_in_number(span, character));
+            }
+            spacing = if text[skipped.start..skipped.end].contains('\n') {
                 Spacing::NextLine
             } else {
                 Spacing::Apart
@@ -153,13 +149,7 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
         }
         let start = text.len() - input.len();
         let Ok((kind, written)) = token.parse_next(&mut input) else {
-            let character = text[start..].chars().next().unwrap_or(' ');
-            let span = Span::from(start..start + character.len_utf8());
-            return Err(match character {
-                '∞' => Fault::infinite(span),
-                '.' => Fault::method(span),
-                _ => Fault::unexpected_character(span, character),
-            });
+            return Err(unknown_mark(text, start));
         };
         let span = Span::from(start..text.len() - input.len());
         if kind == TokenKind::Word && DECLARATION_WORDS.contains(&written) {
@@ -168,6 +158,12 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
         }
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
+            if let Some(before) = tokens.last()
+                && spacing == Spacing::Apart
+                && is_group_of_thousands(before, written)
+            {
+                return Err(Fault::grouped_digits(before.span.to(span)));
+            }
         }
         // Two numbers that touch (`0.5.5`, `1½`) were not meant as two, and `0.92(3)` is a number
         // with its uncertainty, not a product.
@@ -186,101 +182,20 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
     }
 }
 
-type Input<'t> = LocatingSlice<&'t str>;
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum YamlDash {
-    IsMinus,
-    Separates,
-}
-
-/// Whether every line begins with a dash and a space, as `rostopic echo` prints arrays; blank lines
-/// and headings may stand between.
-fn is_yaml_list(text: &str) -> bool {
-    let mut lines = text.lines().map(str::trim_start).filter(|line| {
-        !line.is_empty() && line.trim_end() != "---" && !line.trim_end().ends_with(':')
-    });
-    let items = lines.clone().count();
-    items > 1 && lines.all(|line| line.starts_with("- "))
-}
-
-/// Whether only white space stands before a place in its line.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Line {
-    Start,
-    Inside,
-}
-
-/// What stands right before a place.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Touching {
-    Number,
-    Other,
-}
-
-/// Skips white space, comments and what only lays out a YAML text; `None` where there is nothing to
-/// skip.
-fn blank(
-    input: &mut Input<'_>,
-    mut line: Line,
-    touching: Touching,
-    yaml_dash: YamlDash,
-) -> Option<Line> {
-    let before = input.len();
-    loop {
-        // A comment does not touch a number: `1.#IND` and `1//2` are something else.
-        let is_first = input.len() == before;
-        let skipped = if is_first && touching == Touching::Number {
-            alt((white, layout(line, yaml_dash))).parse_next(input)
-        } else {
-            alt((white, reference, comment, layout(line, yaml_dash))).parse_next(input)
-        };
-        match skipped {
-            Ok(text) if text.contains('\n') => line = Line::Start,
-            Ok("-") => line = Line::Inside,
-            Ok(_) => {}
-            Err(_) => return (input.len() < before).then_some(line),
-        }
+/// What stands at a place where no token does.
+fn unknown_mark(text: &str, start: usize) -> Fault {
+    let character = text[start..].chars().next().unwrap_or(' ');
+    let span = Span::from(start..start + character.len_utf8());
+    let drawn = drawn_run(&text[start..]);
+    if !drawn.is_empty() {
+        return Fault::drawn_line(Span::from(start..start + drawn.len()), drawn);
     }
-}
-
-/// A line `---`, and the dash of a YAML list.
-fn layout<'t>(
-    line: Line,
-    yaml_dash: YamlDash,
-) -> impl FnMut(&mut Input<'t>) -> ModalResult<&'t str> {
-    move |input| {
-        if line == Line::Inside {
-            return fail.parse_next(input);
-        }
-        let separator = terminated("---", peek((space0, alt((line_ending, eof)))));
-        match yaml_dash {
-            YamlDash::Separates => alt((separator, "-")).parse_next(input),
-            YamlDash::IsMinus => { separator }.parse_next(input),
-        }
+    match character {
+        '∞' => Fault::infinite(span),
+        '.' => Fault::method(span),
+        _ if hidden_in_number(text, span).is_some() => Fault::hidden_in_number(span, character),
+        _ => Fault::unexpected_character(span, character),
     }
-}
-
-fn white<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
-    take_while(1.., |character: char| {
-        character.is_whitespace() || matches!(character, '\u{200b}' | '\u{2060}' | '\u{feff}')
-    })
-    .parse_next(input)
-}
-
-/// The sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
-fn reference<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
-    let borrowed = one_of(|next: char| next.is_alphabetic() || next == '[');
-    terminated("&", peek(borrowed)).parse_next(input)
-}
-
-fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
-    alt((
-        // With a space: `5%` is no comment but something that is not known here.
-        (alt(("//", "#", "% ")), take_till(0.., '\n')).take(),
-        ("/*", take_until(0.., "*/"), "*/").take(),
-    ))
-    .parse_next(input)
 }
 
 fn token<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
@@ -323,6 +238,21 @@ fn check_literal(value: f64, written: &str, span: Span) -> Result<(), Fault> {
         return Err(Fault::too_small(span));
     }
     Ok(())
+}
+
+/// Whether digits behind a number are its thousands, as in `10 000`: three that begin with a 0, which
+/// nobody writes before a number of its own.
+fn is_group_of_thousands(before: &Token<'_>, written: &str) -> bool {
+    let is_group = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    matches!(before.kind, TokenKind::Number(_))
+        && is_group(before.text)
+        && (1..=3).contains(&before.text.len())
+        && !before.text.starts_with('0')
+        && written
+            .split('.')
+            .next()
+            .is_some_and(|whole| whole.len() == 3 && is_group(whole))
+        && written.starts_with('0')
 }
 
 /// One character that continues a name.

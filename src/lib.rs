@@ -170,6 +170,9 @@ pub mod request;
 // The sentences of problems of any text.
 mod messages;
 
+// The sentences of problems of marks and signs.
+mod mark_messages;
+
 // The sentences of problems of matrices.
 mod matrix_messages;
 
@@ -182,6 +185,9 @@ mod library_messages;
 // What consoles write around numbers.
 mod console;
 
+// What stands between tokens.
+mod blank;
+
 // Text to tokens.
 mod lex;
 
@@ -190,6 +196,9 @@ mod linear;
 
 // The members that a text consists of.
 mod tree;
+
+// Signs that may mean two things.
+mod signs;
 
 // The tokens on their way through the grammar.
 mod input;
@@ -212,6 +221,12 @@ mod names;
 // Lists of plain numbers.
 mod numbers;
 
+// The texts that may be written in place of one with a problem.
+mod rewrites;
+
+// The numbers that stand in any text.
+mod typed_numbers;
+
 // Members to named components.
 mod meaning;
 
@@ -220,6 +235,9 @@ mod matrix_rows;
 
 // Angles with units to radians.
 mod angles;
+
+// Numbers without a unit inside sines and cosines.
+mod bare_arguments;
 
 // An axis and its angle.
 mod axis;

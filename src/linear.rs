@@ -71,6 +71,11 @@ impl Linear {
         function(name).is_some() || is_cast(name)
     }
 
+    /// Whether it is a function of an angle: a sine, a cosine or a tangent.
+    pub(crate) fn takes_angle(name: &str) -> bool {
+        matches!(last_segment(name), "sin" | "cos" | "tan")
+    }
+
     /// Whether a word stands for a number or makes one.
     pub(crate) fn is_known(name: &str) -> bool {
         Self::is_function(name) || Self::constant(name).is_some()

@@ -88,7 +88,8 @@ pub(crate) fn of_matrix(
         orthogonality_error: typed.orthogonality_error(),
         correction: nearest.correction,
     };
-    Ok((read, nearest.rotation))
+    // A matrix tells no sign of q: the scalar is chosen not negative (specification FX-04).
+    Ok((read, nearest.rotation.with_scalar_not_negative()))
 }
 
 fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Box<Suggestion> {

@@ -6,7 +6,7 @@ use crate::messages::Fault;
 use crate::numbers::{
     check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
 };
-use crate::problem::Span;
+use crate::problem::{Span, is_too_long};
 use crate::tree::{Entry, Lead, Node, NodeKind};
 use nalgebra::Matrix3;
 
@@ -123,6 +123,9 @@ pub(crate) enum RowMarks {
 
 impl RowMarks {
     pub(crate) fn of(text: &str) -> Self {
+        if is_too_long(text) {
+            return Self::None;
+        }
         let has_digits = |line: &&str| line.contains(|c: char| c.is_ascii_digit());
         let lines = text.split(['\n', ';']).filter(has_digits).count();
         let has_three = |part: &&str| part.split_whitespace().count() == 3;

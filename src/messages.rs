@@ -1,6 +1,7 @@
 //! The sentence of every problem, in one place: what is wrong, what was expected, what to try.
 //!
-//! Those about rotations stand in `rotation_messages.rs`; here are those about text and numbers.
+//! Those about rotations stand in `rotation_messages.rs`, those about single marks and signs in
+//! `mark_messages.rs`; here are those about text and numbers.
 
 use crate::problem::{Field, Problem, ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
@@ -73,32 +74,6 @@ impl Fault {
         )
     }
 
-    pub(crate) fn unexpected_character(span: Span, character: char) -> Self {
-        if character == '?' {
-            return Self::new(
-                ProblemCode::UnexpectedCharacter,
-                span,
-                "a number is missing where the ? stands",
-                "a number, such as 0.5, 1/√2 or 45deg",
-                "write it in place of the ?",
-            );
-        }
-        // What is not seen, or turns the writing round, has a name instead.
-        let is_visible = !character.is_control() && !is_format_character(character);
-        let shown = if is_visible {
-            character.to_string()
-        } else {
-            format!("U+{:04X}", u32::from(character))
-        };
-        Self::new(
-            ProblemCode::UnexpectedCharacter,
-            span,
-            format!("the character {shown} has no meaning here"),
-            "digits, names, brackets and the signs + - * / √ , : =",
-            "remove it",
-        )
-    }
-
     pub(crate) fn method(span: Span) -> Self {
         Self::new(
             ProblemCode::UnexpectedCharacter,
@@ -116,16 +91,6 @@ impl Fault {
             "commas stand between some of the numbers and only spaces between others",
             "commas between all the numbers, or between none",
             "write a point for the decimal sign (0.92), or put in the missing commas",
-        )
-    }
-
-    pub(crate) fn loose_sign(span: Span) -> Self {
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            "with spaces around this sign it can be a minus, a difference or a dash of a list",
-            "numbers whose signs stand right before them",
-            "write -0.1 for a negative number, put commas between the numbers, or compute the difference",
         )
     }
 
@@ -395,13 +360,4 @@ impl Fault {
             "write the components, or put the two factors into the Compose view",
         )
     }
-}
-
-/// Characters without a shape: marks of direction, joiners, spaces of no width, language tags.
-const fn is_format_character(character: char) -> bool {
-    matches!(
-        character,
-        '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
-            | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}'
-    )
 }

@@ -2,10 +2,12 @@
 
 use crate::constructor::{self, Call};
 use crate::euler_sequence::EulerSequence;
+use crate::lex::{self, Bracket, Token, TokenKind};
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::names::without_options;
 use crate::problem::Span;
+use crate::signs::Meanings;
 use crate::tree::{Entry, Lead, Node, NodeKind};
 
 /// What a list, or a call that only holds or makes a vector, holds.
@@ -49,10 +51,17 @@ pub(crate) fn commas_separate(entries: &[Entry<'_>]) -> bool {
     entries.iter().any(|entry| entry.lead == Lead::AfterComma)
 }
 
-/// A sign among numbers that only spaces separate must touch its number.
+/// A sign among numbers that only spaces separate must touch its number, and no other; so must all of
+/// those that seem to be one.
 pub(crate) fn check_signs(entries: &[Entry<'_>]) -> Result<(), Fault> {
-    match entries.iter().find_map(|entry| entry.loose_sign) {
-        Some(sign) if spaces_separate(entries) => Err(Fault::loose_sign(sign)),
+    let doubtful = entries
+        .iter()
+        .find_map(|entry| entry.doubtful_sign.as_ref());
+    match doubtful {
+        Some(sign) if spaces_separate(entries) => Err(sign.fault.clone()),
+        Some(sign) if entries.len() == 1 && sign.meanings == Meanings::DifferenceOrTwoNumbers => {
+            Err(sign.fault.clone())
+        }
         _ => Ok(()),
     }
 }
@@ -77,4 +86,50 @@ pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
         .any(|number: u16| number.to_string().parse::<EulerSequence>().is_ok());
     let are_named = entries.iter().any(|entry| entry.key.is_some());
     (names_axes && !are_named).then_some(first.node.span)
+}
+
+/// A number of a text, with its sign and as it is written.
+pub(crate) struct Written {
+    pub(crate) value: f64,
+    pub(crate) start: usize,
+    pub(crate) end: usize,
+}
+
+/// The numbers of a text that holds nothing but numbers, brackets and what separates them.
+pub(crate) fn only_numbers(text: &str) -> Option<Vec<Written>> {
+    let tokens = lex::tokens(text).ok()?;
+    let mut numbers = Vec::new();
+    let mut before: Option<Token<'_>> = None;
+    let mut sign: Option<Token<'_>> = None;
+    for token in tokens {
+        match token.kind {
+            TokenKind::Number(value) => {
+                let is_negative = sign.is_some_and(|sign| sign.kind == TokenKind::Minus);
+                if sign.is_some() && !token.spacing.is_adjacent() {
+                    return None;
+                }
+                numbers.push(Written {
+                    value: if is_negative { -value } else { value },
+                    start: sign.take().map_or(token.span.start, |sign| sign.span.start),
+                    end: token.span.end,
+                });
+            }
+            _ if sign.is_some() => return None,
+            // A sign that touches the number before it may be that of a difference.
+            TokenKind::Plus | TokenKind::Minus => {
+                let touches = token.spacing.is_adjacent()
+                    && before.is_some_and(|before| matches!(before.kind, TokenKind::Number(_)));
+                if touches {
+                    return None;
+                }
+                sign = Some(token);
+            }
+            TokenKind::Comma
+            | TokenKind::Open(Bracket::Round | Bracket::Square | Bracket::Curly)
+            | TokenKind::Close(_) => {}
+            _ => return None,
+        }
+        before = Some(token);
+    }
+    sign.is_none().then_some(numbers)
 }

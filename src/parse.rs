@@ -27,6 +27,8 @@
 //! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
 //! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
 //! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//! Inside `sin`, `cos` and `tan` a number without a unit is radians whatever its size; beyond a full turn
+//! [`analyze`](fn@crate::analyze) says so.
 //!
 //! # Named words beside the numbers
 //!
@@ -50,7 +52,7 @@
 //! member   = { name (":" | "=") } sum
 //! sum      = product { ("+" | "-") product }
 //! product  = signed { ("*" | "/") signed | atom | unit }
-//! signed   = { "+" | "-" } atom
+//! signed   = [ "+" | "-" ] atom
 //! atom     = number | "i" | "j" | "k" | "pi" | "tau"
 //!          | function "(" sum ")" | "√" atom
 //!          | ("(" | "[" | "{" | "<") members (")" | "]" | "}" | ">")
@@ -61,11 +63,15 @@
 //!
 //! - `1 -2` is two numbers, as in MATLAB, and `1-2` is one. Between numbers that only white space
 //!   separates, a sign with space on both sides is refused, since it may be a minus, a difference or
-//!   the dash of a list; with commas, or in a sum of units, it is read.
+//!   the dash of a list; with commas, or in a sum of units, it is read. So is a sign between two typed
+//!   numbers that touch it (`0.5-0.5`, perhaps columns that run together), and one behind its number.
+//!   Two signs in a row are read only in a sum of units (`0.92 + -0.38k`).
 //! - A name or a root that touches what stands before it is a factor: `0.38k`, `2pi`, `2√3`; beside
 //!   a unit a space may stand between: `√2/2 k`, `k sin(pi/8)`. It binds like `*`, from left to
 //!   right: `1/2k` is half of k.
-//! - `−` (U+2212), `–`, `·`, `×`, `÷`, `√`, `π`, `½` mean what they look like.
+//! - `−` (U+2212), `–`, `·`, `×`, `÷`, `√`, `π`, `½` mean what they look like. Drawn frames are read
+//!   past where they touch nothing; a character that is not seen, or a narrow space, between two
+//!   digits is refused.
 //! - Commas stand between all the numbers of a list or between none, so that a decimal comma is not
 //!   read as two numbers.
 //! - A call is read only if it is known what it makes of its numbers: `inverse(…)`, `exp(…)` and the
@@ -86,7 +92,7 @@ use crate::announced;
 use crate::calls;
 use crate::console;
 use crate::convention::ComponentOrder;
-use crate::lex::{self, MAX_TEXT_BYTES, Token};
+use crate::lex::{self, Token};
 use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
@@ -94,7 +100,7 @@ use crate::messages::Fault;
 use crate::names::component;
 use crate::numbers;
 use crate::phrases::Form;
-use crate::problem::{Field, Problem, Span, Wanted};
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem, Span, Wanted, is_too_long};
 use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
 use crate::settings::without_settings;
@@ -136,6 +142,7 @@ pub fn parse_rotation(
     field: Field,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
     let text = &*console::without_wrappers(text);
     read(text, Wanted::Quaternion)
         .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
@@ -197,17 +204,24 @@ pub fn parse_quaternion(
 /// # Ok::<(), quatlas::Problem>(())
 /// ```
 pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
     let text = &*console::without_wrappers(text);
     read(text, Wanted::Vector)
         .and_then(|(tokens, span)| meaning::vector(&syntax::entries(&tokens)?, span))
         .map_err(|fault| fault.in_field(field))
 }
 
-fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
-    let span = Span::of_trimmed(text);
-    if text.len() > MAX_TEXT_BYTES {
+/// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
+fn check_length(text: &str) -> Result<(), Fault> {
+    if is_too_long(text) {
+        let span = Span::of_trimmed(text);
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
     }
+    Ok(())
+}
+
+fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
+    let span = Span::of_trimmed(text);
     let tokens = lex::tokens(text)?;
     if tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));

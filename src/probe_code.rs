@@ -2,6 +2,7 @@
 
 use crate::library::Language;
 use crate::probe::Probe;
+use crate::problem::is_too_long;
 
 /// How a language writes what a probe does. `{n}` stands for four numbers, `{r1}` to `{r3}` for the
 /// rows of a matrix, `{q}`, `{a}`, `{b}`, `{v}`, `{m}` for values and `{e}` for what is printed.
@@ -154,6 +155,9 @@ pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
         Language::Swift => SWIFT,
     };
     let list = |text: &str, count: usize| {
+        if is_too_long(text) {
+            return None;
+        }
         let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
         let numbers = text.split(separators).filter(|part| !part.is_empty());
         let written = numbers.map(|number| {

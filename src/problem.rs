@@ -42,6 +42,14 @@ pub enum Field {
     Printed,
 }
 
+/// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
+pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
+
+/// Whether a text is longer than any that is read.
+pub(crate) const fn is_too_long(text: &str) -> bool {
+    text.len() > MAX_TEXT_BYTES
+}
+
 /// A half-open range of a text.
 ///
 /// Inside the crate it counts bytes of UTF-8; at the JavaScript boundary it is
@@ -57,8 +65,11 @@ pub struct Span {
 }
 
 impl Span {
-    /// The text without the white space around it.
+    /// The text without the white space around it; all of a text that is too long to look at.
     pub(crate) fn of_trimmed(text: &str) -> Self {
+        if is_too_long(text) {
+            return Self::from(0..text.len());
+        }
         let start = text.len() - text.trim_start().len();
         Self::from(start..text.trim_end().len().max(start))
     }

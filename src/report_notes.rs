@@ -32,13 +32,14 @@ pub enum Fact {
     OrderInvisible,
     /// The text is a call whose order is not known here.
     UnknownConstructor(UnknownConstructor),
-    /// The angles have no unit, so one was assumed.
+    /// The angles, or the numbers inside sin, cos and tan, have no unit, so one was assumed.
     AngleUnitAssumed(AngleUnitAssumed),
     /// Nothing marks the rows of nine numbers, so they were read row by row.
     RowsAssumed(RowsAssumed),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
-    /// The scalar is negative: −q is the same rotation and names the shorter turn.
+    /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
+    /// one more turn leads, is the same rotation and names the shorter turn.
     NegativeScalar,
     /// The rotation is none: every axis is as good, so none is given.
     NoTurn,

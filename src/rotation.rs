@@ -157,6 +157,16 @@ impl Rotation {
         &self.body_to_world
     }
 
+    /// The same attitude by that of q and −q whose scalar is not negative.
+    pub(crate) fn with_scalar_not_negative(self) -> Self {
+        if self.body_to_world.w < 0.0 {
+            return Self {
+                body_to_world: -self.body_to_world,
+            };
+        }
+        self
+    }
+
     /// The opposite turn, which carries the body axes onto the world axes.
     #[must_use]
     pub fn inverse(&self) -> Self {

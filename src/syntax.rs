@@ -9,6 +9,7 @@ use crate::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::linear::Linear;
 use crate::messages::Fault;
 use crate::problem::Span;
+use crate::signs::{self, DoubtfulSign, RepeatedSign};
 use crate::tree::{Entry, Key, Lead, Node, NodeKind};
 use winnow::error::ErrMode;
 use winnow::prelude::*;
@@ -23,11 +24,21 @@ const MOST_WORDS_OF_A_KEY: usize = 2;
 
 /// Reads all tokens of a text, or of a part of it.
 pub(crate) fn entries<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    members(tokens, Spaces::Separate)
+}
+
+/// Reads the tokens between the brackets of a function.
+pub(crate) fn arguments<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    members(tokens, Spaces::Ignored)
+}
+
+fn members<'t>(tokens: &[Token<'t>], spaces: Spaces) -> Result<Vec<Entry<'t>>, Fault> {
     let state = State {
         text_end: tokens.last().map_or(0, |last| last.span.end),
         depth: 0,
-        spaces: Spaces::Separate,
-        loose_sign: None,
+        spaces,
+        doubtful_sign: None,
+        repeated_sign: None,
     };
     let mut input = Stateful {
         input: tokens,
@@ -79,13 +90,13 @@ fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
             ..found
         });
     }
-    input.state.loose_sign = None;
+    input.state.doubtful_sign = None;
     let node = sum(input)?;
     Ok(Entry {
         key,
         node,
         lead,
-        loose_sign: input.state.loose_sign.take(),
+        doubtful_sign: input.state.doubtful_sign.take(),
     })
 }
 
@@ -118,34 +129,67 @@ fn key_ahead<'t>(input: &Input<'_, 't>) -> Option<(Key<'t>, usize)> {
 }
 
 fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let before = input.input;
     let mut left = product(input)?;
+    let mut last = &before[..before.len() - input.input.len()];
     while let Some(sign) = input.peek_token() {
         if !matches!(sign.kind, TokenKind::Plus | TokenKind::Minus) {
             break;
         }
         // In a list `1 -2` is two numbers; `1 - 2`, `1-2` and `1- 2` are one.
         let is_apart = !sign.spacing.is_adjacent();
-        let touches_next = token_at(input, 1).is_some_and(|next| next.spacing.is_adjacent());
-        if input.state.spaces == Spaces::Separate && is_apart && touches_next {
+        let next = token_at(input, 1);
+        let touches_next = next.is_some_and(|next| next.spacing.is_adjacent());
+        let separates = input.state.spaces == Spaces::Separate;
+        if separates && is_apart && touches_next {
             break;
         }
-        if input.state.spaces == Spaces::Separate && is_apart {
-            input.state.loose_sign.get_or_insert(sign.span);
-        }
         input.next_token();
+        let before = input.input;
         let right = product(input)?;
+        let addend = &before[..before.len() - input.input.len()];
+        let (augend_value, addend_value) = (value_of(&left)?, value_of(&right)?);
+        let is_sign = |next: &Token<'_>| matches!(next.kind, TokenKind::Plus | TokenKind::Minus);
+        if let Some(second) = next.filter(is_sign)
+            && touches_next
+        {
+            check_repeated(RepeatedSign::of(&[sign, second]), &addend_value)?;
+        }
+        if separates && input.state.doubtful_sign.is_none() {
+            input.state.doubtful_sign = match (is_apart, touches_next) {
+                (true, _) => Some(DoubtfulSign::apart(Fault::loose_sign(sign.span))),
+                (false, false) => Some(DoubtfulSign::apart(Fault::trailing_sign(sign.span))),
+                (false, true) => signs::run_together(last, sign, addend),
+            };
+        }
         let span = left.span.to(right.span);
-        let (augend, addend) = (value_of(&left)?, value_of(&right)?);
         let result = match sign.kind {
-            TokenKind::Minus => augend.plus(addend.negated(), span),
-            _ => augend.plus(addend, span),
+            TokenKind::Minus => augend_value.plus(addend_value.negated(), span),
+            _ => augend_value.plus(addend_value, span),
         };
         left = computed(result, span)?;
+        last = addend;
     }
     Ok(left)
 }
 
 fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+    let outer = input.state.repeated_sign.take();
+    let product = factors(input)?;
+    if let Some(signs) = std::mem::replace(&mut input.state.repeated_sign, outer) {
+        check_repeated(Some(signs), &value_of(&product)?)?;
+    }
+    Ok(product)
+}
+
+fn check_repeated(signs: Option<RepeatedSign>, value: &Linear) -> Parsed<()> {
+    match signs {
+        Some(signs) => signs.check(value).or_else(stop),
+        None => Ok(()),
+    }
+}
+
+fn factors<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
     let mut left = signed(input)?;
     while let Some(next) = input.peek_token() {
         let result = match (next.kind, next.angle_unit()) {
@@ -201,39 +245,41 @@ fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
     }
 }
 
-/// Any number of signs and then an atom; a loop, so that a million signs need no stack.
+/// Signs and then an atom; a loop, so that a million signs need no stack.
 fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
-    let mut sign = None;
+    let before = input.input;
     while let Some(token) = input.peek_token() {
-        sign = match (token.kind, sign) {
-            (TokenKind::Plus, None) => Some((TokenKind::Plus, token.span)),
-            (TokenKind::Minus, None) => Some((TokenKind::Minus, token.span)),
-            (TokenKind::Plus, sign) => sign,
-            (TokenKind::Minus, Some((TokenKind::Minus, span))) => Some((TokenKind::Plus, span)),
-            (TokenKind::Minus, Some((_, span))) => Some((TokenKind::Minus, span)),
-            _ => break,
-        };
+        if !matches!(token.kind, TokenKind::Plus | TokenKind::Minus) {
+            break;
+        }
         input.next_token();
         let is_loose = input
             .peek_token()
             .is_some_and(|next| !next.spacing.is_adjacent());
         if is_loose && input.state.spaces == Spaces::Separate {
-            input.state.loose_sign.get_or_insert(token.span);
+            let fault = || DoubtfulSign::apart(Fault::loose_sign(token.span));
+            input.state.doubtful_sign.get_or_insert_with(fault);
         }
     }
+    let signs = &before[..before.len() - input.input.len()];
     let node = atom(input)?;
-    let Some((sign, at)) = sign else {
+    let Some(first) = signs.first() else {
         return Ok(node);
     };
+    if let Some(repeated) = RepeatedSign::of(signs) {
+        input.state.repeated_sign.get_or_insert(repeated);
+    }
     let value = value_of(&node)?;
-    let span = at.to(node.span);
-    computed(
-        Ok(match sign {
-            TokenKind::Minus => value.negated(),
-            _ => value,
-        }),
-        span,
-    )
+    let minuses = signs
+        .iter()
+        .filter(|sign| sign.kind == TokenKind::Minus)
+        .count();
+    let value = if minuses % 2 == 0 {
+        value
+    } else {
+        value.negated()
+    };
+    computed(Ok(value), first.span.to(node.span))
 }
 
 fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {

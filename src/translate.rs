@@ -7,7 +7,7 @@ use crate::endpoint::{Endpoint, Meaning};
 use crate::library::{Library, family, first_to_act, libraries, stores_columns};
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
-use crate::problem::{Field, Problem, Span};
+use crate::problem::{Field, Problem, Span, is_too_long};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE, is_representable};
 use crate::report::{
     AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OutOfRange,
@@ -115,10 +115,10 @@ fn attitude(
     };
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);
-    if read
+    let is_certain = read
         .as_ref()
-        .is_ok_and(|attitude| !attitude.is_of_unknown_constructor())
-    {
+        .is_ok_and(|attitude| !attitude.is_of_unknown_constructor());
+    if is_certain || is_too_long(text) {
         return read;
     }
     // The library's own line, whatever its form, as the other end of a translation shows it.
@@ -172,6 +172,10 @@ fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {
 }
 
 fn axes(text: &str, field: Field) -> Result<AxisMapping, Problem> {
+    if is_too_long(text) {
+        let message = "so long a text names no axes".to_owned();
+        return Err(Fault::unknown_axes(Span::of_trimmed(text), message).in_field(field));
+    }
     text.parse::<AxisMapping>().map_err(|unknown| {
         Fault::unknown_axes(Span::of_trimmed(text), unknown.message).in_field(field)
     })
@@ -307,6 +311,9 @@ fn mapped(mapping: AxisMapping) -> MappedAxes {
 
 /// The library whose call stands in the text first: by the longest of the fragments that do.
 fn pasted(text: &str) -> Option<&'static Library> {
+    if is_too_long(text) {
+        return None;
+    }
     let compact = |text: &str| text.split_whitespace().collect::<String>();
     let text = compact(text);
     libraries()

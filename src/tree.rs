@@ -3,6 +3,7 @@
 use crate::linear::{Linear, Quantity};
 use crate::messages::Fault;
 use crate::problem::Span;
+use crate::signs::DoubtfulSign;
 
 /// A piece of text that was understood.
 #[derive(Clone, Debug)]
@@ -28,8 +29,8 @@ pub(crate) struct Entry<'t> {
     pub(crate) key: Option<Key<'t>>,
     pub(crate) node: Node<'t>,
     pub(crate) lead: Lead,
-    /// A sign of this member with white space on both sides, where it may mean something else.
-    pub(crate) loose_sign: Option<Span>,
+    /// What a sign of this member may mean besides, where only white space separates the members.
+    pub(crate) doubtful_sign: Option<DoubtfulSign>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]

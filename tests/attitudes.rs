@@ -91,7 +91,7 @@ fn a_text_with_an_assumed_unit_is_offered_with_each_unit() {
         "axis-angle [0 0 1] 0.785",
         "roll=0.1 pitch=0.2 yaw=0.3",
         "rpy 10 20 30",
-        "rotvec 0 0 7",
+        "rotvec 0 0 13",
     ] {
         let told = facts(&read(text, "1 0 0", Convention::HAMILTON));
         let [Fact::AngleUnitAssumed(assumed)] = &told[..] else {
@@ -160,13 +160,15 @@ fn nearly_half_a_turn_is_told_within_a_ten_thousandth_of_a_radian() {
     for text in ["(pi - 0.0001001) rad about x", "179.99 deg about [1, 2, 3]"] {
         assert_eq!(told(text), [], "{text}");
     }
-    for text in [
-        "(pi - 0.0000999) rad about x",
-        "(pi + 0.0000999) rad about x",
+    for (text, before) in [
+        ("(pi - 0.0000999) rad about x", &[][..]),
+        ("(pi + 0.0000999) rad about x", &[Fact::NegativeScalar]),
     ] {
-        let [Fact::NearlyHalfTurn(near)] = &told(text)[..] else {
-            panic!("{text}: {:?}", told(text))
+        let told = told(text);
+        let Some((Fact::NearlyHalfTurn(near), others)) = told.split_last() else {
+            panic!("{text}: {told:?}")
         };
+        assert_eq!(others, before, "{text}");
         let short_by = [near.short_by_rad, near.short_by_deg];
         assert_close(text, &short_by, &[9.99e-5, 0.005_723_848_4], 1e-10);
     }

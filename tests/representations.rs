@@ -322,7 +322,7 @@ fn degrees_become_the_nearest_doubles() {
     for (degrees, radians) in cases {
         check_axis_angle(&[
             (&format!("{degrees}deg about z"), Z, radians, DEGREES),
-            (&format!("-{degrees}° about z"), Z, -radians, DEGREES),
+            (&format!("{}° about z", -degrees), Z, -radians, DEGREES),
             (&format!("{degrees} about z"), Z, radians, AS_DEGREES),
         ]);
     }

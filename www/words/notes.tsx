@@ -105,8 +105,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "negative-scalar":
       return (
         <>
-          The scalar is negative: −{symbol} is the same rotation and names the shorter turn, which
-          is the one given below.
+          The scalar is negative: −{symbol} is the same rotation, one more turn away, and names the
+          shorter turn, which is the one given below.
         </>
       );
     case "no-turn":
@@ -172,6 +172,7 @@ export const remedyWords: Record<Remedy, string> = {
   "plain-characters": "Write plain characters",
   "remove-mark": "Remove the mark",
   "attach-sign": "Join the sign to its number",
+  "separate-numbers": "Separate the numbers",
   "add-sign": "Add the sign",
   "add-zeros": "Write 0 for what is missing",
   "name-number": "Name the number",

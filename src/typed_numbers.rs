@@ -1,0 +1,82 @@
+//! The numbers that stand in a text, whether it can be read or not: no suggestion makes others of them.
+
+use crate::blank::{is_blank, is_drawn};
+use crate::rewrites::plain_character;
+use crate::suggestion::{Remedy, Suggestion};
+
+/// Whether the numbers of a suggestion are those of the text, in their order and with their signs,
+/// but for what the remedy says that it changes.
+pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
+    let typed = || typed_numbers(text);
+    let rewritten = || typed_numbers(&suggestion.text);
+    match suggestion.remedy {
+        // These write other numbers by their names.
+        Remedy::DecimalPoints
+        | Remedy::WriteZero
+        | Remedy::WriteIdentity
+        | Remedy::RestoreAxis
+        | Remedy::NearestRotation => true,
+        Remedy::AddZeros => rewritten().starts_with(&typed()),
+        Remedy::RotationPart => {
+            let mut typed = typed().into_iter();
+            rewritten()
+                .iter()
+                .all(|kept| typed.any(|number| number == *kept))
+        }
+        Remedy::MatchBrackets
+        | Remedy::PlainCharacters
+        | Remedy::RemoveMark
+        | Remedy::AttachSign
+        | Remedy::SeparateNumbers
+        | Remedy::AddSign
+        | Remedy::NameNumber
+        | Remedy::SameUnit => rewritten() == typed(),
+    }
+}
+
+/// Every number with the signs before it, also where spaces stand between them: a dash of any kind may
+/// be a minus. A plus that comes first changes nothing.
+fn typed_numbers(text: &str) -> Vec<String> {
+    let mut numbers = Vec::new();
+    let mut signs = String::new();
+    let mut rest = text;
+    while let Some(character) = rest.chars().next().map(plain_character) {
+        let mut length = rest.chars().next().map_or(1, char::len_utf8);
+        if character.is_ascii_digit() {
+            length = number_length(rest);
+            let digits: String = rest[..length].chars().map(plain_character).collect();
+            numbers.push(std::mem::take(&mut signs) + &digits);
+        } else if is_dash(character) {
+            signs.push('-');
+        } else if character == '+' && !signs.is_empty() {
+            signs.push('+');
+        } else if !is_blank(character) && !matches!(character, '+' | '.') {
+            signs.clear();
+        }
+        rest = &rest[length..];
+    }
+    numbers
+}
+
+/// Digits and points, and the sign of an exponent.
+fn number_length(text: &str) -> usize {
+    let mut before = '0';
+    let end = text.char_indices().find(|&(_, character)| {
+        let character = plain_character(character);
+        let is_exponent = matches!(character, 'e' | 'E') && before.is_ascii_digit();
+        let is_sign = matches!(character, '-' | '+' | '−') && matches!(before, 'e' | 'E');
+        let belongs = character.is_ascii_digit() || character == '.' || is_exponent || is_sign;
+        before = character;
+        !belongs
+    });
+    end.map_or(text.len(), |(at, _)| at)
+}
+
+/// What is used for a minus, or looks like one.
+pub(crate) fn is_dash(character: char) -> bool {
+    is_drawn(character)
+        || matches!(
+            character,
+            '-' | '−' | '\u{2010}'..='\u{2015}' | '⁻' | '﹣' | '➖' | '﹘' | '˗' | '~' | '∼' | '±'
+        )
+}

@@ -117,13 +117,9 @@ const MOST_CALLS: usize = 8;
 
 /// The rotation that one call makes, perhaps under a label or inside another constructor.
 pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
-    let [only] = entries else {
+    let Some(mut node) = named_node(entries) else {
         return Ok(None);
     };
-    if only.key.is_some_and(|key| component(key.name).is_some()) {
-        return Ok(None);
-    }
-    let mut node = &only.node;
     for _ in 0..MOST_CALLS {
         let NodeKind::Call { name, arguments } = &node.kind else {
             return Ok(None);
@@ -138,6 +134,19 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
         }
     }
     Ok(None)
+}
+
+/// The only node of a text, perhaps under a name, in braces too: `{"q": Quaternion(…)}`.
+fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+    while let [only] = entries
+        && only.key.is_none_or(|key| component(key.name).is_none())
+    {
+        match &only.node.kind {
+            NodeKind::List(inner) => entries = inner,
+            _ => return Some(&only.node),
+        }
+    }
+    None
 }
 
 struct RotationCall<'e, 't> {

@@ -78,6 +78,10 @@ pub(crate) fn call(name: &str) -> Call {
     if computes || names_both_orders(last) {
         return Call::Other;
     }
+    // `Quaternion<xyzw>` tells its order, `Quaternion<left>` something that is not known here.
+    if last.contains('<') {
+        return order_in_name(last).map_or(Call::Other, Call::Ordered);
+    }
     if let Some(order) = order_in_name(last) {
         return Call::Ordered(order);
     }

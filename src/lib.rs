@@ -170,11 +170,17 @@ mod matrix_messages;
 // The sentences of problems of rotations.
 mod rotation_messages;
 
+// The sentences of problems of Euler sequences.
+mod euler_messages;
+
 // The sentences of problems of translation and identification.
 mod library_messages;
 
 // What consoles write around numbers.
 mod console;
+
+// Words of a declaration.
+mod declaration;
 
 // Text to tokens.
 mod lex;
@@ -220,6 +226,9 @@ mod axis;
 
 /// What a text holds when it holds a rotation.
 pub mod representation;
+
+// The parts of a rotation by name.
+mod parts;
 
 // What the words of a text announce.
 mod spoken;

@@ -33,10 +33,29 @@ pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault
 }
 
 pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
+    check_no_factor(entries)?;
     entries
         .iter()
         .map(|entry| Ok((entry.node.value()?, entry.node.span)))
         .collect()
+}
+
+/// That no number and no call stands before a list: `sqrt(2) [0, 0, 1]`, `transpose(1) [[…], […], […]]`.
+pub(crate) fn check_no_factor(entries: &[Entry<'_>]) -> Result<(), Fault> {
+    for pair in entries.windows(2) {
+        let [before, list] = pair else { continue };
+        let touches = list.key.is_none() && list.lead != Lead::AfterComma;
+        if !(touches && matches!(list.node.kind, NodeKind::List(_))) {
+            continue;
+        }
+        let span = before.node.span;
+        match before.node.kind {
+            NodeKind::Value(_) => return Err(Fault::number_before_list(span)),
+            NodeKind::Call { name, .. } => return Err(Fault::call_before_list(span, name)),
+            NodeKind::List(_) | NodeKind::Word(_) => {}
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn spaces_separate(entries: &[Entry<'_>]) -> bool {

@@ -81,7 +81,6 @@
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
 
-use crate::angle::AngleUnit;
 use crate::announced;
 use crate::calls;
 use crate::console;
@@ -93,11 +92,12 @@ pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
 use crate::names::component;
 use crate::numbers;
+use crate::parts;
 use crate::phrases::Form;
 use crate::problem::{Field, Problem, Span, Wanted};
 use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
-use crate::settings::without_settings;
+use crate::settings::{Settings, without_settings};
 use crate::spoken::{Spoken, spoken};
 use crate::syntax;
 use crate::tree::{Entry, NodeKind};
@@ -208,7 +208,7 @@ fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
     if text.len() > MAX_TEXT_BYTES {
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
     }
-    let tokens = lex::tokens(text)?;
+    let tokens = console::without_list_names(&lex::tokens(text)?);
     if tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
     }
@@ -222,8 +222,7 @@ fn rotation(
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
     let (tokens, settings) = without_settings(tokens)?;
-    let unit = settings.unit.map(|(unit, _)| unit);
-    let rotation = match described(&tokens, text, span, unit)? {
+    let rotation = match described(&tokens, text, span, &settings)? {
         Described::Rotation(rotation) => rotation,
         Described::Quaternion(entries) => {
             let told = settings.order.map(|(order, _)| order);
@@ -257,8 +256,9 @@ fn described<'t>(
     tokens: &[Token<'t>],
     text: &'t str,
     span: Span,
-    unit: Option<AngleUnit>,
+    settings: &Settings<'t>,
 ) -> Result<Described<'t>, Fault> {
+    let unit = settings.unit.map(|(unit, _)| unit);
     let numbers = match spoken(tokens, text) {
         Spoken::About {
             before,
@@ -267,13 +267,16 @@ fn described<'t>(
         } => return announced::about(before, word, after, unit).map(Described::Rotation),
         Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
-        Spoken::Parts(parts) => {
-            return announced::parts(&parts, span, unit).map(Described::Rotation);
+        Spoken::Parts(labels, parts) => {
+            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
+            return parts::rotation(&parts, &announcement, span).map(Described::Rotation);
         }
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,
             Some(form) => {
-                let announcement = announcement.with_unit(unit)?;
+                let announcement = announcement
+                    .with_unit(unit)?
+                    .with_sequence(settings.sequence)?;
                 return announced::announced(&announcement, form, rest, text)
                     .map(Described::Rotation);
             }
@@ -293,7 +296,7 @@ fn described<'t>(
     if let Some(rotation) = calls::rotation(&entries)? {
         return Ok(Described::InItself(rotation));
     }
-    if let Some(matrix) = matrix_rows::unannounced(&without_name(&entries), span)? {
+    if let Some(matrix) = matrix_rows::unannounced(&without_names(&entries)?, span)? {
         return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
     }
     if let [first, _, ..] = &entries[..]
@@ -305,13 +308,15 @@ fn described<'t>(
     Ok(Described::Quaternion(entries))
 }
 
-/// The members without the name of the whole, as in `R = [[…], […], […]]`.
-fn without_name<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
-    let mut entries = entries.to_vec();
-    if let Some(first) = entries.first_mut()
+/// The members without the names of the whole, as in `R = [[…], […], […]]`, and without the braces
+/// around such names: `{"pose": {"R": [[…], […], […]]}}`.
+fn without_names<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut entries = numbers::members(entries)?;
+    while let Some(first) = entries.first_mut()
         && first.key.is_some_and(|key| component(key.name).is_none())
     {
         first.key = None;
+        entries = numbers::members(&entries)?;
     }
-    entries
+    Ok(entries)
 }

@@ -134,7 +134,9 @@ fn joined(tokens: &[Token<'_>], count: usize) -> Option<(String, usize)> {
             token.text
         });
     }
-    Some((words.to_ascii_lowercase().replace(['_', '-', ' '], ""), at))
+    // `rotvec<deg>` says its unit as `rotvec_deg` does.
+    let between = ['_', '-', ' ', '<', '>'];
+    Some((words.to_ascii_lowercase().replace(between, ""), at))
 }
 
 fn without_unit(words: &str) -> (&str, Option<AngleUnit>) {
@@ -168,6 +170,25 @@ pub(crate) fn is_sequence(word: &str) -> bool {
         _ => word,
     };
     letters.len() == 3 && letters.chars().all(is_axis)
+}
+
+/// Whether a word is a sequence in letters or in digits, `3-2-1` and `321` included.
+pub(crate) fn names_axes(word: &str) -> bool {
+    is_sequence(word) || word.parse::<EulerSequence>().is_ok()
+}
+
+/// The letters of a sequence in a name: `my_euler_xyz`, `orderZYX`, `euler_321`.
+pub(crate) fn sequence_in_name(name: &str) -> Option<&str> {
+    let is_euler = name.to_ascii_lowercase().contains("euler");
+    name.split(['_', '-', ' ', '.', ':']).find_map(|word| {
+        let (before, end) = word.split_at_checked(word.len().checked_sub(3)?)?;
+        let is_capital = |letter: char| matches!(letter, 'X' | 'Y' | 'Z');
+        let is_end = before.ends_with(char::is_lowercase) && end.chars().all(is_capital);
+        match () {
+            () if is_sequence(word) || (is_euler && names_axes(word)) => Some(word),
+            () => is_end.then_some(end),
+        }
+    })
 }
 
 /// How many tokens at the start are a sequence with dashes, `3-2-1` or `Z-Y-X`, or `321` after

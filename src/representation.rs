@@ -5,7 +5,7 @@ use crate::angles::{self, Angle, Of, UnitRule};
 use crate::euler_sequence::EulerSequence;
 use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
-use crate::numbers::{check_separators, members};
+use crate::numbers::{check_no_factor, check_separators, members};
 use crate::problem::Span;
 use crate::tree::Entry;
 use nalgebra::{Matrix3, Vector3};
@@ -120,6 +120,7 @@ pub(crate) const THREE_NUMBERS: &str = "three numbers: the axis times the angle"
 /// Three numbers that may have units, in any brackets.
 pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
     let entries = members(entries)?;
+    check_no_factor(&entries)?;
     check_separators(&entries, span)?;
     let angles: Vec<Angle> = entries
         .iter()

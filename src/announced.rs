@@ -1,7 +1,7 @@
 //! What is announced in words to a rotation.
 
 use crate::angle::AngleUnit;
-use crate::angles::{self, UnitRule};
+use crate::angles::{self, Angle, UnitRule};
 use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
 use crate::calls;
 use crate::lex::{self, Token, TokenKind};
@@ -14,7 +14,8 @@ use crate::parts::{self, named_parts};
 use crate::phrases::Form;
 use crate::problem::Span;
 use crate::representation::{
-    self, ParsedRotation, THREE_ANGLES, THREE_NUMBERS, euler_angles, rotation_vector, three,
+    self, ParsedRotation, THREE_ANGLES, THREE_HALVES, THREE_NUMBERS, euler_angles,
+    half_angle_vector, rotation_vector, three,
 };
 use crate::spoken::{self, Announcement};
 use crate::syntax;
@@ -96,14 +97,22 @@ pub(crate) fn announced(
             matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)
         }
         Form::RotationVector => {
-            let entries = syntax::entries(rest)?;
-            if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
-                let part = |number| (Linear::real(number), span);
-                let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
-                return rotation_vector(vector.map(part), rule(radians));
-            }
-            rotation_vector(three(&entries, span, THREE_NUMBERS)?, rule(radians))
+            rotation_vector(vector_of_angles(rest, span, THREE_NUMBERS)?, rule(radians))
         }
+        Form::HalfAngleVector => {
+            half_angle_vector(vector_of_angles(rest, span, THREE_HALVES)?, rule(radians))
+        }
+        Form::GibbsVector | Form::ModifiedRodrigues => {
+            if unit.is_some() {
+                return Err(Fault::unit_of_tangents(span));
+            }
+            let vector = meaning::vector(&syntax::entries(rest)?, span)?;
+            Ok(match form {
+                Form::GibbsVector => ParsedRotation::GibbsVector(vector),
+                _ => ParsedRotation::ModifiedRodrigues(vector),
+            })
+        }
+        Form::RodriguesVector => Err(Fault::rodrigues_vector(announcement.span)),
         Form::Euler => {
             let sequence = announcement.euler_sequence()?;
             // In quotes they are an attribute of URDF, whose angles are radians.
@@ -119,6 +128,17 @@ pub(crate) fn announced(
             axis_angle(rest, span, form, rule(UnitRule::Magnitude))
         }
     }
+}
+
+/// Three angles, in a list or by the names of their axes.
+fn vector_of_angles(tokens: &[Token<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
+    let entries = syntax::entries(tokens)?;
+    if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
+        let part = |number| (Linear::real(number), span);
+        let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
+        return Ok(vector.map(part));
+    }
+    three(&entries, span, what)
 }
 
 /// `45deg [0, 0, 1]`, `(z, 45deg)`: a unit tells which of the two is the angle.

@@ -14,15 +14,17 @@ use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
     AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
     Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles,
-    ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
-    UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
+    ReadGibbsVector, ReadGimbalLock, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
+    ReadRotationVector, RowsAssumed, Rules, Turn, UnknownConstructor, UsedNearestRotation,
+    coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::MatrixConvention;
+use crate::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::scaling::UNIT_ROUNDOFF;
 use crate::suggestion::with_suggestion;
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A scalar part this small is a rounded cosine of 90°: the turn is half a turn.
 const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
@@ -99,6 +101,26 @@ impl Attitude {
                 let is_long = parsed.vector_rad.amax() > TAU;
                 let unit = is_long.then_some(parsed.unit);
                 (Form::RotationVector(read), rotation, unit)
+            }
+            ParsedRotation::HalfAngleVector(parsed) => {
+                let read = ReadHalfAngleVector {
+                    vector_rad: coordinates(&parsed.vector_rad),
+                };
+                let rotation = half_angle_exponential(parsed.vector_rad.into());
+                let is_long = parsed.vector_rad.amax() > PI;
+                let unit = is_long.then_some(parsed.unit);
+                (Form::HalfAngleVector(read), rotation, unit)
+            }
+            ParsedRotation::GibbsVector(numbers) => {
+                let vector = coordinates(&numbers);
+                let form = Form::GibbsVector(ReadGibbsVector { vector });
+                (form, AxisVector::Gibbs(numbers).to_rotation(), None)
+            }
+            ParsedRotation::ModifiedRodrigues(numbers) => {
+                let parameters = coordinates(&numbers);
+                let form = Form::ModifiedRodrigues(ReadModifiedRodrigues { parameters });
+                let rotation = AxisVector::ModifiedRodrigues(numbers).to_rotation();
+                (form, rotation, None)
             }
             ParsedRotation::EulerAngles(parsed) => {
                 let read = ReadEulerAngles {

@@ -174,7 +174,17 @@ pub(crate) fn is_other_label(name: &str) -> bool {
         return true;
     }
     let lower = name.to_ascii_lowercase();
-    ["angle", "axis", "euler", "matrix", "rotvec", "rpy", "ypr"]
-        .iter()
-        .any(|word| lower.contains(word))
+    const WORDS: [&str; 10] = [
+        "angle",
+        "axis",
+        "euler",
+        "gibbs",
+        "matrix",
+        "mrp",
+        "rodrigues",
+        "rotvec",
+        "rpy",
+        "ypr",
+    ];
+    WORDS.iter().any(|word| lower.contains(word))
 }

@@ -311,7 +311,7 @@ pub use problem::{Field, Problem, ProblemCode, Span};
 pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use report::*;
 pub use representation::{
-    ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
+    ParsedAxisAngle, ParsedEulerAngles, ParsedHalfAngleVector, ParsedRotation, ParsedRotationVector,
 };
 pub use request::{ComposeRequest, IdentifyRequest, ReadRequest, Request, TranslateRequest};
 pub use rotation::{NoRotation, Rotation};

@@ -1,8 +1,8 @@
 //! Text to numbers: everything people paste, and nothing about rotations.
 //!
 //! What comes in is text as typed; what goes out is finite numbers by name, what they describe
-//! (a quaternion, an axis with its angle, a rotation vector, Euler angles, a matrix or a vector), and
-//! how the text told it.
+//! (a quaternion, an axis with its angle, a rotation vector or another vector along the axis, Euler
+//! angles, a matrix or a vector), and how the text told it.
 //!
 //! # What is accepted
 //!
@@ -17,6 +17,9 @@
 //! | axis and angle | `45deg about z`, `45deg [0, 0, 1]`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
 //! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
 //! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
+//! | half-angle vector | `halfangle 0 0 0.393`, `half-angle vector 0 0 22.5deg` |
+//! | Gibbs vector, Rodrigues parameters | `gibbs 0 0 0.414`, `Rodrigues parameters: 0 0 0.414` |
+//! | modified Rodrigues parameters | `mrp 0 0 0.199`, `Rotation.from_mrp([0, 0, 0.199])` |
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
 //! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
@@ -24,8 +27,8 @@
 //! # Degrees or radians
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
-//! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
-//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
+//! radians, and the call of a library has the library's unit. Otherwise a rotation vector, a half-angle
+//! vector and an attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
 //! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
 //!
 //! # Named words beside the numbers
@@ -39,7 +42,9 @@
 //!
 //! Capitals are axes that move (intrinsic), small letters axes that stay (extrinsic), as in `SciPy`;
 //! the words `intrinsic` and `extrinsic` win over the letters. `rpy` and named roll, pitch and yaw
-//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. In `ZYX: 30, 20, 10` and
+//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. Beside names another sequence
+//! counts only with a word for its frame (`intrinsic xyz: roll=…`); roll is then about x, pitch about
+//! y and yaw about z. In `ZYX: 30, 20, 10` and
 //! `3-2-1 30 20 10` the sequence is no name and no difference, whatever follows.
 //!
 //! # Grammar

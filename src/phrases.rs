@@ -13,6 +13,11 @@ pub(crate) enum Form {
     AxisAngle,
     AngleAxis,
     RotationVector,
+    HalfAngleVector,
+    GibbsVector,
+    ModifiedRodrigues,
+    /// The rotation vector in `OpenCV` and others, the Gibbs vector in textbooks.
+    RodriguesVector,
     Euler,
     Matrix,
 }
@@ -34,6 +39,18 @@ impl Said {
             "axisangle" | "axang" => Self::Form(Form::AxisAngle),
             "angleaxis" => Self::Form(Form::AngleAxis),
             "rotvec" | "rotationvector" | "rvec" => Self::Form(Form::RotationVector),
+            "halfangle" | "halfanglevector" => Self::Form(Form::HalfAngleVector),
+            "gibbs"
+            | "gibbsvector"
+            | "crp"
+            | "rodriguesparameters"
+            | "classicalrodriguesparameters" => Self::Form(Form::GibbsVector),
+            "mrp"
+            | "mrps"
+            | "modifiedrodrigues"
+            | "modifiedrodriguesparameters"
+            | "modifiedrodriguesvector" => Self::Form(Form::ModifiedRodrigues),
+            "rodrigues" | "rodriguesvector" => Self::Form(Form::RodriguesVector),
             "euler" | "eulerangle" | "eulerangles" => Self::Form(Form::Euler),
             "matrix" | "rotationmatrix" | "rotmat" | "dcm" => Self::Form(Form::Matrix),
             "intrinsic" | "rotating" | "moving" => Self::Frame(EulerFrame::Intrinsic),
@@ -46,7 +63,10 @@ impl Said {
 
     /// What a label says that ends in such words, as `imu_rpy:` does; `rpy_rate:` is something else.
     fn of_label(label: &str) -> Option<Self> {
-        const WORDS: [&str; 8] = [
+        const WORDS: [&str; 11] = [
+            "halfangle",
+            "gibbs",
+            "mrp",
             "axisangle",
             "angleaxis",
             "rotvec",

@@ -268,6 +268,27 @@ impl Fault {
         )
     }
 
+    pub(crate) fn unit_of_tangents(span: Span) -> Self {
+        Self::new(
+            ProblemCode::MixedUnits,
+            span,
+            "these three numbers are tangents of a part of the angle, which have no unit",
+            "three numbers without a unit",
+            "remove the unit, or write the angle itself: rotvec 0 0 45deg, halfangle 0 0 22.5deg",
+        )
+    }
+
+    pub(crate) fn rodrigues_vector(span: Span) -> Self {
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            "a Rodrigues vector is the rotation vector for some (OpenCV) and the Gibbs vector, \
+             tan(θ/2) times the axis, for others",
+            "a name with one meaning",
+            "write rotvec 0 0 0.785, or gibbs 0 0 0.414",
+        )
+    }
+
     pub(crate) fn second_unit(span: Span) -> Self {
         Self::new(
             ProblemCode::MixedUnits,

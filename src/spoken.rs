@@ -259,6 +259,8 @@ impl<'t> Announcement<'t> {
         let is_free = |form| self.form.is_none_or(|own| own == form);
         match said {
             Said::Form(Form::Quaternion) if tells_itself => return None,
+            // The call of OpenCV, `Rodrigues(…)`, says which vector it takes.
+            Said::Form(Form::RodriguesVector) if tells_itself && !is_mark(next) => return None,
             Said::Form(form) if is_free(form) => self.form = Some(form),
             Said::Frame(frame)
                 if is_free(Form::Euler) && (self.form.is_some() || !is_mark(next)) =>

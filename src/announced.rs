@@ -6,6 +6,7 @@ use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, tr
 use crate::calls;
 use crate::lex::{self, Token, TokenKind};
 use crate::linear::{Linear, Quantity};
+use crate::matrix_columns::{self, labelled_vectors};
 use crate::matrix_rows;
 use crate::meaning;
 use crate::messages::Fault;
@@ -92,6 +93,9 @@ pub(crate) fn announced(
         Form::Matrix => {
             if unit.is_some() {
                 return Err(Fault::mixed_units(announcement.span));
+            }
+            if let Some(vectors) = labelled_vectors(spoken::inside(rest).unwrap_or(rest)) {
+                return matrix_columns::matrix(&vectors, span).map(ParsedRotation::Matrix);
             }
             let entries = syntax::entries(rest)?;
             matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)

@@ -12,11 +12,11 @@ use crate::perturbation::Side;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
-    AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle, ReadEulerAngles,
-    ReadGibbsVector, ReadGimbalLock, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
-    ReadRotationVector, RowsAssumed, Rules, Turn, UnknownConstructor, UsedNearestRotation,
-    coordinates, plain, rows3, rows4,
+    AngleUnitAssumed, AxesAsColumns, Column, Components, Euler, Fact, Form, NearlyHalfTurn,
+    NearlyNoTurn, Normalised, Note, OrderAssumed, OrderFromText, OrderSource, ReadAxisAngle,
+    ReadEulerAngles, ReadGibbsVector, ReadGimbalLock, ReadHalfAngleVector, ReadModifiedRodrigues,
+    ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn, UnknownConstructor,
+    UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::MatrixConvention;
@@ -234,8 +234,10 @@ impl Attitude {
         let mut facts = Vec::new();
         facts.extend(self.order_fact());
         facts.extend(self.unit.clone().map(Fact::AngleUnitAssumed));
-        if self.row_marks == Some(RowMarks::None) {
-            facts.extend(self.rows_fact());
+        match self.row_marks {
+            Some(RowMarks::None) => facts.extend(self.rows_fact()),
+            Some(RowMarks::AxisNames) => facts.extend(self.axes_fact()),
+            Some(RowMarks::Lines | RowMarks::Brackets) | None => {}
         }
         if let Form::Matrix(matrix) = self.form
             && matrix.correction > SMALLEST_CORRECTION_TOLD
@@ -288,13 +290,24 @@ impl Attitude {
 
     /// That rows were assumed, where columns would be another rotation.
     pub(crate) fn rows_fact(&self) -> Option<Fact> {
-        let columns = self.rotation.inverse();
-        let differs_by = self.rotation.angle_to_rad(&columns);
-        (differs_by > UNIT_NORM_TOLERANCE).then(|| {
-            Fact::RowsAssumed(RowsAssumed {
-                columns_differ_by_deg: plain(differs_by.to_degrees()),
+        self.transposed_differs_by_deg()
+            .map(|columns_differ_by_deg| {
+                Fact::RowsAssumed(RowsAssumed {
+                    columns_differ_by_deg,
+                })
             })
-        })
+    }
+
+    /// That named axes were taken for columns, where rows would be another rotation.
+    fn axes_fact(&self) -> Option<Fact> {
+        self.transposed_differs_by_deg()
+            .map(|rows_differ_by_deg| Fact::AxesAsColumns(AxesAsColumns { rows_differ_by_deg }))
+    }
+
+    /// How far away the opposite turn is, in degrees; `None` where it is the same.
+    fn transposed_differs_by_deg(&self) -> Option<f64> {
+        let differs_by = self.rotation.angle_to_rad(&self.rotation.inverse());
+        (differs_by > UNIT_NORM_TOLERANCE).then(|| plain(differs_by.to_degrees()))
     }
 
     fn order_fact(&self) -> Option<Fact> {

@@ -218,6 +218,9 @@ mod meaning;
 // Nine numbers to a matrix.
 mod matrix_rows;
 
+// Three vectors with labels to a matrix.
+mod matrix_columns;
+
 // Angles with units to radians.
 mod angles;
 

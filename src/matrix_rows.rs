@@ -3,6 +3,7 @@
 
 use crate::console;
 use crate::constructor::{self, Call};
+use crate::matrix_columns::LabelKind;
 use crate::messages::Fault;
 use crate::numbers::{
     check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
@@ -118,6 +119,8 @@ pub(crate) enum RowMarks {
     Lines,
     /// Brackets within brackets.
     Brackets,
+    /// The names of the axes: the vectors are columns.
+    AxisNames,
     /// Nothing: the numbers stand in a row.
     None,
 }
@@ -131,6 +134,11 @@ impl RowMarks {
         // `Float32Array(9) [ … ]` is one list, wherever its lines are broken.
         if console::names_a_list(text) {
             Self::None
+        } else if let Some(labels) = LabelKind::of(text) {
+            match labels {
+                LabelKind::Axis => Self::AxisNames,
+                LabelKind::Column | LabelKind::Row => Self::Lines,
+            }
         } else if lines >= 3 || between_commas == 3 {
             Self::Lines
         } else if further_rows(text) >= 2 {

@@ -22,6 +22,7 @@
 //! | modified Rodrigues parameters | `mrp 0 0 0.199`, `Rotation.from_mrp([0, 0, 0.199])` |
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
 //! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
+//! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
 //! # Degrees or radians
@@ -91,6 +92,7 @@ use crate::calls;
 use crate::console;
 use crate::convention::ComponentOrder;
 use crate::lex::{self, MAX_TEXT_BYTES, Token};
+use crate::matrix_columns;
 use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
@@ -275,6 +277,10 @@ fn described<'t>(
         Spoken::Parts(labels, parts) => {
             let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
             return parts::rotation(&parts, &announcement, span).map(Described::Rotation);
+        }
+        Spoken::Vectors(vectors) => {
+            let matrix = matrix_columns::matrix(&vectors, span)?;
+            return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
         }
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,

@@ -6,6 +6,7 @@ use crate::angle::AngleUnit;
 use crate::constructor::is_derived_label;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Bracket, Token, TokenKind};
+use crate::matrix_columns::{LabelledVector, labelled_vectors};
 use crate::messages::Fault;
 use crate::names::component;
 use crate::parts::{SpokenPart, named_parts};
@@ -28,6 +29,8 @@ pub(crate) enum Spoken<'s, 't> {
     },
     /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`, and what labels before them say.
     Parts(Announcement<'t>, Vec<SpokenPart<'s, 't>>),
+    /// `x: 0 1 0, y: -1 0 0, z: 0 0 1`
+    Vectors(Vec<LabelledVector<'s, 't>>),
     /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that says they are something else.
     Derived(Token<'t>),
     /// Two attributes that are rotations: where the second stands.
@@ -72,6 +75,12 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
     for _ in 0..=MOST_WRAPPINGS {
         if let Some(label) = derived_label(tokens) {
             return Spoken::Derived(label);
+        }
+        if let Some(vectors) = labelled_vectors(tokens) {
+            return match labels.derived {
+                Some(label) => Spoken::Derived(label),
+                None => Spoken::Vectors(vectors),
+            };
         }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;

@@ -144,7 +144,10 @@ fn label_ahead(tokens: &[Token<'_>]) -> Option<Label> {
     }
     let lower = last_segment(name.text).to_ascii_lowercase();
     let numbered = |kind, number: &str, length: usize| {
-        let number = number.parse().ok()?;
+        let number = match number.as_bytes() {
+            [digit @ b'0'..=b'3'] => usize::from(digit - b'0'),
+            _ => return None,
+        };
         Some(Label {
             kind,
             number,

@@ -166,10 +166,10 @@ fn what_is_not_three_vectors_is_refused() {
             "no name",
         ),
         (
-            "col(3) [0, 0, -1], col(4) [1, 0, 0]",
+            "col(0) [0, 0, -1], col(3) [1, 0, 0]",
             UnknownComponent,
-            "col(4)",
-            "column 4",
+            "col(3)",
+            "column 3",
         ),
         (
             "inverse: {x: [0, 0, -1], y: [1, 0, 0], z: [0, -1, 0]}",

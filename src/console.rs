@@ -1,7 +1,7 @@
 //! What consoles write around numbers.
 
 use crate::lex::{self, Bracket, MAX_TEXT_BYTES, Token, TokenKind};
-use crate::syntax;
+use crate::syntax::{self, MAX_DEPTH};
 use crate::tree::{Entry, NodeKind};
 use nalgebra::Matrix3;
 use std::borrow::Cow;
@@ -121,6 +121,8 @@ fn members(tokens: &[Token<'_>]) -> Option<usize> {
                 is_new = true;
                 continue;
             }
+            // Deeper nothing is read, and each of many names would be followed to the end.
+            TokenKind::Open(_) if depth == MAX_DEPTH => return None,
             TokenKind::Open(_) => depth += 1,
             TokenKind::Close(_) => depth -= 1,
             _ => {}

@@ -79,8 +79,10 @@
 //! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
 //!   the grammar, which then reads the pieces between them.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.
-//! - Comments (`#`, `//`, `/* */`, and `%` with a space), declarations (`const Eigen::Quaterniond q(…);`), float suffixes (`0.5f`)
-//!   and casts (`np.float64(0.5)`) are read past.
+//! - Comments (`#`, `//`, `/* */`, and `%` with a space), the words of a declaration
+//!   (`const Eigen::Quaterniond q(…);`), types of numbers (`Quaternion<double>`), float suffixes
+//!   (`0.5f`), casts (`np.float64(0.5)`) and what consoles print before a list (`Float32Array(4) […]`,
+//!   with the count of its members) are read past. Any other word or number before a list is refused.
 //!
 //! # Which number is the scalar
 //!

@@ -87,6 +87,7 @@ fn a_half_angle_vector() {
     // Longer than any turn needs: perhaps degrees.
     let note = |text| facts(&read(text, "1 0 0", Convention::HAMILTON));
     assert_eq!(note("halfangle 0 3.1 0"), []);
+    assert_eq!(note("halfangle 0 3.2 0").len(), 1);
     let [Fact::AngleUnitAssumed(assumed)] = &note("halfangle 0 22.5 0")[..] else {
         panic!("no note of the unit");
     };

@@ -119,6 +119,8 @@ fn the_rows_of_a_list_that_a_console_prints_are_assumed() {
     for text in [
         "Mat3(9) [Float32Array] [\n  0, -1, 0, 1,\n  0, 0,\n 0, 0, 1\n]",
         "Float64Array(9) [ 0, -1, 0, 1, 0, 0, 0, 0, 1 ]",
+        // Brackets around one number mark no row.
+        "0, (-1), 0, 1, 0, 0, 0, 0, 1",
         r#"{"pose": {"R": [0, -1, 0, 1, 0, 0, 0, 0, 1]}}"#,
     ] {
         let report = read(text, "1 0 0", Convention::HAMILTON);

@@ -4,19 +4,21 @@ use crate::angle::AngleUnit;
 use crate::angles::{self, Angle, UnitRule};
 use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
 use crate::calls;
-use crate::euler_sequence::EulerSequence;
 use crate::lex::{self, Token, TokenKind};
 use crate::linear::{Linear, Quantity};
+use crate::matrix_columns::{self, labelled_vectors};
 use crate::matrix_rows;
 use crate::meaning;
 use crate::messages::Fault;
-use crate::numbers::{check_separators, members};
+use crate::numbers::{check_no_factor, check_separators, held, members};
+use crate::parts::{self, named_parts};
 use crate::phrases::Form;
 use crate::problem::Span;
 use crate::representation::{
-    self, ParsedRotation, THREE_ANGLES, THREE_NUMBERS, euler_angles, rotation_vector, three,
+    self, ParsedRotation, THREE_ANGLES, THREE_HALVES, THREE_NUMBERS, euler_angles,
+    half_angle_vector, rotation_vector, three,
 };
-use crate::spoken::{self, Announcement, Part, SpokenPart};
+use crate::spoken::{self, Announcement};
 use crate::syntax;
 use crate::tree::{Entry, NodeKind};
 
@@ -56,65 +58,6 @@ fn without_verbs<'s, 't>(mut tokens: &'s [Token<'t>]) -> &'s [Token<'t>] {
     tokens
 }
 
-/// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
-pub(crate) fn parts(
-    parts: &[SpokenPart<'_, '_>],
-    span: Span,
-    for_all: Option<AngleUnit>,
-) -> Result<ParsedRotation, Fault> {
-    for (at, part) in parts.iter().enumerate() {
-        if is_of_turn(part.part) != is_of_turn(parts[0].part) {
-            return Err(Fault::mixed_parts(part.label));
-        }
-        if parts[..at].iter().any(|other| other.part == part.part) {
-            return Err(Fault::duplicate_part(part.label, part.part.name()));
-        }
-    }
-    let find = |wanted| parts.iter().find(|part| part.part == wanted);
-    let end = Span::from(span.end..span.end);
-    if is_of_turn(parts[0].part) {
-        let axis = find(Part::Axis).ok_or_else(|| Fault::no_axis(end))?;
-        let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
-        let axis = axis::axis(axis.tokens, axis.label)?;
-        let angle = angle_of(angle, angle.tokens)?;
-        return representation::axis_angle(axis, angle, angles::rule(for_all, UnitRule::Magnitude));
-    }
-    let names = [Part::Roll, Part::Pitch, Part::Yaw];
-    let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
-        let missing = names.into_iter().filter(|part| find(*part).is_none());
-        let missing: Vec<_> = missing.map(Part::name).collect();
-        return Err(Fault::missing_part(span, &missing));
-    };
-    // A unit apart after the last number is one for all.
-    let last = parts.last().map_or(&[][..], |last| last.tokens);
-    let (last_number, unit) = angles::without_unit(trimmed(last));
-    let angle = |part: &SpokenPart<'_, '_>| {
-        let is_last = std::ptr::eq(part.tokens, last);
-        angle_of(part, if is_last { last_number } else { part.tokens })
-    };
-    let angles = [angle(roll)?, angle(pitch)?, angle(yaw)?];
-    if let (Some(one), Some(other)) = (unit, for_all)
-        && one != other
-    {
-        return Err(Fault::mixed_units(span));
-    }
-    let rule = angles::rule(unit.or(for_all), UnitRule::Magnitude);
-    euler_angles(EulerSequence::ROLL_PITCH_YAW, angles, rule)
-}
-
-/// The angle that tokens are, in the unit that the name of the part says.
-fn angle_of(part: &SpokenPart<'_, '_>, tokens: &[Token<'_>]) -> Result<Angle, Fault> {
-    let (value, span) = axis::angle(tokens, part.label)?;
-    match part.unit {
-        Some(unit) => Ok((value.angle(unit, span)?, span)),
-        None => Ok((value, span)),
-    }
-}
-
-fn is_of_turn(part: Part) -> bool {
-    matches!(part, Part::Axis | Part::Angle)
-}
-
 /// What follows an announcement, as the description that it announces.
 pub(crate) fn announced(
     announcement: &Announcement<'_>,
@@ -133,10 +76,8 @@ pub(crate) fn announced(
             None => Ok(rotation),
         };
     }
-    if matches!(form, Form::Euler | Form::AxisAngle)
-        && let Some(found) = spoken::parts(spoken::inside(rest).unwrap_or(rest))
-    {
-        return parts(&found, span_of(rest, announcement.span), announcement.unit);
+    if let Some(found) = named_parts(spoken::inside(rest).unwrap_or(rest)) {
+        return parts::rotation(&found, announcement, span_of(rest, announcement.span));
     }
     let (rest, unit) = angles::without_unit(rest);
     if let (Some(before), Some(after)) = (announcement.unit, unit)
@@ -153,18 +94,29 @@ pub(crate) fn announced(
             if unit.is_some() {
                 return Err(Fault::mixed_units(announcement.span));
             }
+            if let Some(vectors) = labelled_vectors(spoken::inside(rest).unwrap_or(rest)) {
+                return matrix_columns::matrix(&vectors, span).map(ParsedRotation::Matrix);
+            }
             let entries = syntax::entries(rest)?;
             matrix_rows::matrix(&entries, span).map(ParsedRotation::Matrix)
         }
         Form::RotationVector => {
-            let entries = syntax::entries(rest)?;
-            if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
-                let part = |number| (Linear::real(number), span);
-                let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
-                return rotation_vector(vector.map(part), rule(radians));
-            }
-            rotation_vector(three(&entries, span, THREE_NUMBERS)?, rule(radians))
+            rotation_vector(vector_of_angles(rest, span, THREE_NUMBERS)?, rule(radians))
         }
+        Form::HalfAngleVector => {
+            half_angle_vector(vector_of_angles(rest, span, THREE_HALVES)?, rule(radians))
+        }
+        Form::GibbsVector | Form::ModifiedRodrigues => {
+            if unit.is_some() {
+                return Err(Fault::unit_of_tangents(span));
+            }
+            let vector = meaning::vector(&syntax::entries(rest)?, span)?;
+            Ok(match form {
+                Form::GibbsVector => ParsedRotation::GibbsVector(vector),
+                _ => ParsedRotation::ModifiedRodrigues(vector),
+            })
+        }
+        Form::RodriguesVector => Err(Fault::rodrigues_vector(announcement.span)),
         Form::Euler => {
             let sequence = announcement.euler_sequence()?;
             // In quotes they are an attribute of URDF, whose angles are radians.
@@ -180,6 +132,17 @@ pub(crate) fn announced(
             axis_angle(rest, span, form, rule(UnitRule::Magnitude))
         }
     }
+}
+
+/// Three angles, in a list or by the names of their axes.
+fn vector_of_angles(tokens: &[Token<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
+    let entries = syntax::entries(tokens)?;
+    if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
+        let part = |number| (Linear::real(number), span);
+        let vector: [f64; 3] = meaning::vector(&entries, span)?.into();
+        return Ok(vector.map(part));
+    }
+    three(&entries, span, what)
 }
 
 /// `45deg [0, 0, 1]`, `(z, 45deg)`: a unit tells which of the two is the angle.
@@ -234,7 +197,13 @@ fn axis_angle(
         return Err(Fault::unknown_argument(named.span, named.name));
     }
     let is_value = |entry: &Entry<'_>| matches!(entry.node.kind, NodeKind::Value(_));
+    // `axis-angle(1) [0, 0, 1, 0.785]`
+    let is_whole = |entry: &Entry<'_>| held(&entry.node).is_some_and(|inner| inner.len() == 4);
     let (axis, angle) = match &entries[..] {
+        [_, list] if is_whole(list) => {
+            check_no_factor(&entries)?;
+            return Err(Fault::axis_angle_parts(span));
+        }
         [axis, angle] if is_value(angle) && !is_value(axis) => (axis_of_node(&axis.node)?, angle),
         [angle, axis] if is_value(angle) && !is_value(axis) => (axis_of_node(&axis.node)?, angle),
         [_, _, _, _] => {

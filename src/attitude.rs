@@ -13,17 +13,19 @@ use crate::perturbation::Side;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
-    AngleUnitAssumed, Column, Components, Euler, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix, ReadAxisAngle,
-    ReadEulerAngles, ReadGimbalLock, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
+    AngleUnitAssumed, AxesAsColumns, Column, Components, Euler, Fact, Form, NearlyHalfTurn,
+    NearlyNoTurn, Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix,
+    ReadAxisAngle, ReadEulerAngles, ReadGibbsVector, ReadGimbalLock, ReadHalfAngleVector,
+    ReadModifiedRodrigues, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
     UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::MatrixConvention;
+use crate::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::scaling::UNIT_ROUNDOFF;
 use crate::suggestion::with_suggestion;
 use nalgebra::{Quaternion, Vector3};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A scalar part this small is a rounded cosine of 90°: the turn is half a turn.
 const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
@@ -112,6 +114,26 @@ impl Attitude {
                 let is_long = parsed.vector_rad.amax() > TAU;
                 let unit = is_long.then_some(parsed.unit);
                 (Form::RotationVector(read), rotation, unit)
+            }
+            ParsedRotation::HalfAngleVector(parsed) => {
+                let read = ReadHalfAngleVector {
+                    vector_rad: coordinates(&parsed.vector_rad),
+                };
+                let rotation = half_angle_exponential(parsed.vector_rad.into());
+                let is_long = parsed.vector_rad.amax() > PI;
+                let unit = is_long.then_some(parsed.unit);
+                (Form::HalfAngleVector(read), rotation, unit)
+            }
+            ParsedRotation::GibbsVector(numbers) => {
+                let vector = coordinates(&numbers);
+                let form = Form::GibbsVector(ReadGibbsVector { vector });
+                (form, AxisVector::Gibbs(numbers).to_rotation(), None)
+            }
+            ParsedRotation::ModifiedRodrigues(numbers) => {
+                let parameters = coordinates(&numbers);
+                let form = Form::ModifiedRodrigues(ReadModifiedRodrigues { parameters });
+                let rotation = AxisVector::ModifiedRodrigues(numbers).to_rotation();
+                (form, rotation, None)
             }
             ParsedRotation::EulerAngles(parsed) => {
                 let read = ReadEulerAngles {
@@ -235,8 +257,10 @@ impl Attitude {
         let mut facts = Vec::new();
         facts.extend(self.order_fact());
         facts.extend(self.unit.clone().map(Fact::AngleUnitAssumed));
-        if self.row_marks == Some(RowMarks::None) {
-            facts.extend(self.rows_fact());
+        match self.row_marks {
+            Some(RowMarks::None) => facts.extend(self.rows_fact()),
+            Some(RowMarks::AxisNames) => facts.extend(self.axes_fact()),
+            Some(RowMarks::Lines | RowMarks::Brackets) | None => {}
         }
         if let Form::Matrix(matrix) = self.form
             && matrix.correction > SMALLEST_CORRECTION_TOLD
@@ -298,13 +322,24 @@ impl Attitude {
 
     /// That rows were assumed, where columns would be another rotation.
     pub(crate) fn rows_fact(&self) -> Option<Fact> {
-        let columns = self.rotation.inverse();
-        let differs_by = self.rotation.angle_to_rad(&columns);
-        (differs_by > UNIT_NORM_TOLERANCE).then(|| {
-            Fact::RowsAssumed(RowsAssumed {
-                columns_differ_by_deg: plain(differs_by.to_degrees()),
+        self.transposed_differs_by_deg()
+            .map(|columns_differ_by_deg| {
+                Fact::RowsAssumed(RowsAssumed {
+                    columns_differ_by_deg,
+                })
             })
-        })
+    }
+
+    /// That named axes were taken for columns, where rows would be another rotation.
+    fn axes_fact(&self) -> Option<Fact> {
+        self.transposed_differs_by_deg()
+            .map(|rows_differ_by_deg| Fact::AxesAsColumns(AxesAsColumns { rows_differ_by_deg }))
+    }
+
+    /// How far away the opposite turn is, in degrees; `None` where it is the same.
+    fn transposed_differs_by_deg(&self) -> Option<f64> {
+        let differs_by = self.rotation.angle_to_rad(&self.rotation.inverse());
+        (differs_by > UNIT_NORM_TOLERANCE).then(|| plain(differs_by.to_degrees()))
     }
 
     fn order_fact(&self) -> Option<Fact> {

@@ -9,6 +9,7 @@ use crate::axis::{alone, axis_of_node};
 use crate::constructor::{self, Call, ends_with_path};
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::matrix_rows;
+use crate::meaning;
 use crate::messages::Fault;
 use crate::names::component;
 use crate::numbers::held;
@@ -32,6 +33,7 @@ enum Takes {
     /// The library divides the axis by its length.
     AnyAxisThenAngle,
     RotationVector,
+    ModifiedRodrigues,
     /// The letters of a sequence, and as many angles: `SciPy`, glam.
     SequenceThenAngles,
     /// Angles about x, y, z and then the letters of transforms3d, or none for `sxyz`.
@@ -47,8 +49,8 @@ enum Takes {
 }
 
 use Takes::{
-    AngleThenAxis, Angles, AnglesThenAxes, AnyAxisThenAngle, AxisThenAngle, Matrix, Rotation,
-    RotationVector, RowsOrColumns, SequenceThenAngles, ThreeEuler,
+    AngleThenAxis, Angles, AnglesThenAxes, AnyAxisThenAngle, AxisThenAngle, Matrix,
+    ModifiedRodrigues, Rotation, RotationVector, RowsOrColumns, SequenceThenAngles, ThreeEuler,
 };
 
 const ROLL_PITCH_YAW: Takes = Angles(EulerSequence::ROLL_PITCH_YAW);
@@ -76,6 +78,7 @@ const CALLS: &[(&str, Takes)] = &[
     ("from_scaled_axis", RotationVector),
     ("Rodrigues", RotationVector),
     ("from_euler", SequenceThenAngles),
+    ("from_mrp", ModifiedRodrigues),
     // ROS tf and its transformations.py, transforms3d
     ("setRPY", ROLL_PITCH_YAW),
     ("createQuaternionFromRPY", ROLL_PITCH_YAW),
@@ -117,13 +120,9 @@ const MOST_CALLS: usize = 8;
 
 /// The rotation that one call makes, perhaps under a label or inside another constructor.
 pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
-    let [only] = entries else {
+    let Some(mut node) = named_node(entries) else {
         return Ok(None);
     };
-    if only.key.is_some_and(|key| component(key.name).is_some()) {
-        return Ok(None);
-    }
-    let mut node = &only.node;
     for _ in 0..MOST_CALLS {
         let NodeKind::Call { name, arguments } = &node.kind else {
             return Ok(None);
@@ -138,6 +137,19 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
         }
     }
     Ok(None)
+}
+
+/// The only node of a text, perhaps under a name, in braces too: `{"q": Quaternion(…)}`.
+fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+    while let [only] = entries
+        && only.key.is_none_or(|key| component(key.name).is_none())
+    {
+        match &only.node.kind {
+            NodeKind::List(inner) => entries = inner,
+            _ => return Some(&only.node),
+        }
+    }
+    None
 }
 
 struct RotationCall<'e, 't> {
@@ -218,6 +230,11 @@ impl<'e, 't> RotationCall<'e, 't> {
                 self.check_names(&["degrees"])?;
                 let angles = self.three(&self.positional, THREE_NUMBERS)?;
                 rotation_vector(angles, self.unit()?)
+            }
+            ModifiedRodrigues => {
+                self.check_names(&[])?;
+                let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
+                meaning::vector(&entries, self.span).map(ParsedRotation::ModifiedRodrigues)
             }
             SequenceThenAngles => self.sequence_then_angles(),
             AnglesThenAxes => self.angles_then_axes(),

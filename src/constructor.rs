@@ -78,6 +78,10 @@ pub(crate) fn call(name: &str) -> Call {
     if computes || names_both_orders(last) {
         return Call::Other;
     }
+    // `Quaternion<xyzw>` tells its order, `Quaternion<left>` something that is not known here.
+    if last.contains('<') {
+        return order_in_name(last).map_or(Call::Other, Call::Ordered);
+    }
     if let Some(order) = order_in_name(last) {
         return Call::Ordered(order);
     }
@@ -170,7 +174,17 @@ pub(crate) fn is_other_label(name: &str) -> bool {
         return true;
     }
     let lower = name.to_ascii_lowercase();
-    ["angle", "axis", "euler", "matrix", "rotvec", "rpy", "ypr"]
-        .iter()
-        .any(|word| lower.contains(word))
+    const WORDS: [&str; 10] = [
+        "angle",
+        "axis",
+        "euler",
+        "gibbs",
+        "matrix",
+        "mrp",
+        "rodrigues",
+        "rotvec",
+        "rpy",
+        "ypr",
+    ];
+    WORDS.iter().any(|word| lower.contains(word))
 }

@@ -6,10 +6,11 @@
 
 use crate::angle::AngleUnit;
 use crate::blank::{Input, Line, Touching, YamlDash, blank, drawn_run, hidden_in_number};
+use crate::declaration;
 use crate::messages::Fault;
 use crate::problem::Span;
 use winnow::ascii::{digit0, digit1};
-use winnow::combinator::{alt, delimited, not, opt, peek, repeat};
+use winnow::combinator::{alt, delimited, not, opt, peek, repeat, terminated};
 use winnow::prelude::*;
 use winnow::token::{any, one_of, take_while};
 
@@ -79,7 +80,7 @@ impl Spacing {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Token<'t> {
     pub(crate) kind: TokenKind,
-    /// As written; without the quotes and without template arguments.
+    /// As written; without the quotes, and without a type of numbers such as `<double>`.
     pub(crate) text: &'t str,
     pub(crate) span: Span,
     pub(crate) spacing: Spacing,
@@ -101,19 +102,6 @@ pub(crate) fn last_segment(path: &str) -> &str {
     path.rsplit([':', '.']).next().unwrap_or(path)
 }
 
-/// Words of a declaration that say nothing about the numbers.
-const DECLARATION_WORDS: [&str; 9] = [
-    "auto",
-    "const",
-    "constexpr",
-    "final",
-    "let",
-    "mut",
-    "new",
-    "static",
-    "var",
-];
-
 pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
     tokens_within(text, Span::from(0..text.len()))
 }
@@ -132,7 +120,7 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
             Some(TokenKind::Number(_)) => Touching::Number,
             _ => Touching::Other,
         };
-        if let Some(line_now) = blank(&mut input, text, line, touching, yaml_dash) {
+        if blank(&mut input, text, line, touching, yaml_dash).is_some() {
             let skipped = Span::from(before..text.len() - input.len());
             if let Some((span, character)) = hidden_in_number(text, skipped) {
                 return Err(Fault::hidden_in_number(span, character));
@@ -142,20 +130,15 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
             } else {
                 Spacing::Apart
             };
-            line = line_now;
         }
         if input.is_empty() {
-            return Ok(tokens);
+            return Ok(declaration::without_words(&tokens));
         }
         let start = text.len() - input.len();
         let Ok((kind, written)) = token.parse_next(&mut input) else {
             return Err(unknown_mark(text, start));
         };
         let span = Span::from(start..text.len() - input.len());
-        if kind == TokenKind::Word && DECLARATION_WORDS.contains(&written) {
-            spacing = Spacing::Apart;
-            continue;
-        }
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
             if let Some(before) = tokens.last()
@@ -270,17 +253,48 @@ fn name(input: &mut Input<'_>) -> ModalResult<()> {
 }
 
 fn word<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
-    let segment = (alt(("::", ".")), name);
-    let path = (name, repeat::<_, _, (), _, _>(0.., segment))
-        .take()
-        .parse_next(input)?;
-    let _ = opt(delimited(
-        '<',
-        repeat::<_, _, (), _, _>(1.., name_character),
-        '>',
+    let number_type = ('<', argument.verify(|name: &str| is_number_type(name)), '>');
+    alt((
+        terminated(path.take(), number_type),
+        // What else an argument may say, as in `Quaternion<xyzw>`, belongs to the name.
+        (path, opt(('<', argument, '>'))).take(),
     ))
-    .parse_next(input)?;
-    Ok((TokenKind::Word, path))
+    .map(|text| (TokenKind::Word, text))
+    .parse_next(input)
+}
+
+fn path(input: &mut Input<'_>) -> ModalResult<()> {
+    let segment = (alt(("::", ".")), name);
+    (name, repeat::<_, _, (), _, _>(0.., segment))
+        .void()
+        .parse_next(input)
+}
+
+/// The only argument of a template.
+fn argument<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+    repeat::<_, _, (), _, _>(1.., name_character)
+        .take()
+        .parse_next(input)
+}
+
+/// `double`, `f32`, `Scalar`, and a size such as 3: they change no number.
+fn is_number_type(name: &str) -> bool {
+    const TYPES: [&str; 12] = [
+        "double",
+        "f32",
+        "f64",
+        "float",
+        "float32",
+        "float32_t",
+        "float64",
+        "float64_t",
+        "number",
+        "real",
+        "scalar",
+        "t",
+    ];
+    TYPES.contains(&name.to_ascii_lowercase().as_str())
+        || name.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 fn quoted<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {

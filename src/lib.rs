@@ -179,6 +179,9 @@ mod matrix_messages;
 // The sentences of problems of rotations.
 mod rotation_messages;
 
+// The sentences of problems of Euler sequences.
+mod euler_messages;
+
 // The sentences of problems of translation and identification.
 mod library_messages;
 
@@ -187,6 +190,8 @@ mod console;
 
 // What stands between tokens.
 mod blank;
+// Words of a declaration.
+mod declaration;
 
 // Text to tokens.
 mod lex;
@@ -233,6 +238,9 @@ mod meaning;
 // Nine numbers to a matrix.
 mod matrix_rows;
 
+// Three vectors with labels to a matrix.
+mod matrix_columns;
+
 // Angles with units to radians.
 mod angles;
 
@@ -244,6 +252,9 @@ mod axis;
 
 /// What a text holds when it holds a rotation.
 pub mod representation;
+
+// The parts of a rotation by name.
+mod parts;
 
 // What the words of a text announce.
 mod spoken;
@@ -329,7 +340,7 @@ pub use quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_p
 pub use recognition::{EulerReading, direction_of_yawed, function_of_chain, increment_of};
 pub use report::*;
 pub use representation::{
-    ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
+    ParsedAxisAngle, ParsedEulerAngles, ParsedHalfAngleVector, ParsedRotation, ParsedRotationVector,
 };
 pub use request::{ComposeRequest, IdentifyRequest, ReadRequest, Request, TranslateRequest};
 pub use rotation::{NoRotation, Rotation};

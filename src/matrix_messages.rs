@@ -40,6 +40,17 @@ impl Fault {
         )
     }
 
+    pub(crate) fn missing_vector(span: Span, names: &[String]) -> Self {
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        Self::new(
+            ProblemCode::MissingComponent,
+            span,
+            format!("{} {verb} missing", names.join(" and ")),
+            "three vectors of three numbers",
+            "add it: of right-handed axes the third is the cross product of the other two",
+        )
+    }
+
     pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
         let first = rows.first().copied().unwrap_or_default();
         let is_even = rows.iter().all(|length| *length == first);

@@ -1,7 +1,9 @@
 //! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
 //! other.
 
+use crate::console;
 use crate::constructor::{self, Call};
+use crate::matrix_columns::LabelKind;
 use crate::messages::Fault;
 use crate::numbers::{
     check_separators, check_signs, commas_separate, held, members, spaces_separate, values,
@@ -117,6 +119,8 @@ pub(crate) enum RowMarks {
     Lines,
     /// Brackets within brackets.
     Brackets,
+    /// The names of the axes: the vectors are columns.
+    AxisNames,
     /// Nothing: the numbers stand in a row.
     None,
 }
@@ -130,13 +134,35 @@ impl RowMarks {
         let lines = text.split(['\n', ';']).filter(has_digits).count();
         let has_three = |part: &&str| part.split_whitespace().count() == 3;
         let between_commas = text.split(',').filter(has_three).count();
-        let brackets = text.matches(['[', '(', '{']).count();
-        if lines >= 3 || between_commas == 3 {
+        // `Float32Array(9) [ … ]` is one list, wherever its lines are broken.
+        if console::names_a_list(text) {
+            Self::None
+        } else if let Some(labels) = LabelKind::of(text) {
+            match labels {
+                LabelKind::Axis => Self::AxisNames,
+                LabelKind::Column | LabelKind::Row => Self::Lines,
+            }
+        } else if lines >= 3 || between_commas == 3 {
             Self::Lines
-        } else if brackets >= 3 {
+        } else if further_rows(text) >= 2 {
             Self::Brackets
         } else {
             Self::None
         }
     }
+}
+
+/// How many brackets open right after another of their kind, or after a comma.
+fn further_rows(text: &str) -> usize {
+    let openings = text.match_indices(['[', '(', '{']);
+    let follows = |(at, opening): &(usize, &str)| {
+        let before = text[..*at].trim_end();
+        let closing = match *opening {
+            "[" => ']',
+            "(" => ')',
+            _ => '}',
+        };
+        before.ends_with([',', ';', closing])
+    };
+    openings.filter(follows).count()
 }

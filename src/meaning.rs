@@ -124,7 +124,9 @@ fn read_quaternion(
         return Ok(order.by_names().with(Quaternion::new(w, x, y, z)));
     }
     if let [first, second] = &entries[..] {
-        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node)) {
+        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node))
+            && !is_whole(inner)
+        {
             let part = vector(inner, second.node.span)?;
             let quaternion = Quaternion::from_parts(first.node.real()?, part);
             check_pair(&order, &quaternion, span)?;
@@ -156,6 +158,11 @@ fn read_quaternion(
         ComponentOrder::ScalarLast => Quaternion::new(d, a, b, c),
     };
     Ok(order.with(quaternion))
+}
+
+/// Whether a list is a quaternion by its count, and no vector part.
+fn is_whole(inner: &[Entry<'_>]) -> bool {
+    inner.len() == Wanted::Quaternion.count() && inner.iter().all(|entry| entry.key.is_none())
 }
 
 /// How far from 1 a length is that was typed as 1 with six decimals.

@@ -1,5 +1,6 @@
 //! Lists of plain numbers: what holds them and what separates them.
 
+use crate::console;
 use crate::constructor::{self, Call};
 use crate::euler_sequence::EulerSequence;
 use crate::lex::{self, Bracket, Token, TokenKind};
@@ -35,10 +36,29 @@ pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault
 }
 
 pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
+    check_no_factor(entries)?;
     entries
         .iter()
         .map(|entry| Ok((entry.node.value()?, entry.node.span)))
         .collect()
+}
+
+/// That no number and no call stands before a list: `sqrt(2) [0, 0, 1]`, `transpose(1) [[…], […], […]]`.
+pub(crate) fn check_no_factor(entries: &[Entry<'_>]) -> Result<(), Fault> {
+    for pair in entries.windows(2) {
+        let [before, list] = pair else { continue };
+        let touches = list.key.is_none() && list.lead != Lead::AfterComma;
+        if !(touches && matches!(list.node.kind, NodeKind::List(_))) {
+            continue;
+        }
+        let span = before.node.span;
+        match before.node.kind {
+            NodeKind::Value(_) => return Err(Fault::number_before_list(span)),
+            NodeKind::Call { name, .. } => return Err(Fault::call_before_list(span, name)),
+            NodeKind::List(_) | NodeKind::Word(_) => {}
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn spaces_separate(entries: &[Entry<'_>]) -> bool {
@@ -95,9 +115,10 @@ pub(crate) struct Written {
     pub(crate) end: usize,
 }
 
-/// The numbers of a text that holds nothing but numbers, brackets and what separates them.
+/// The numbers of a text that holds nothing but numbers, brackets and what separates them, with the name
+/// that a console prints before a list.
 pub(crate) fn only_numbers(text: &str) -> Option<Vec<Written>> {
-    let tokens = lex::tokens(text).ok()?;
+    let tokens = console::without_list_names(&lex::tokens(text).ok()?);
     let mut numbers = Vec::new();
     let mut before: Option<Token<'_>> = None;
     let mut sign: Option<Token<'_>> = None;

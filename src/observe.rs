@@ -1,10 +1,10 @@
 //! A probe in texts to numbers.
 
-use crate::console;
 use crate::convention::ComponentOrder;
 use crate::library::{Language, stores_columns};
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
+use crate::numbers::only_numbers;
 use crate::observation::{Numbers, Printed, Question};
 use crate::parse::{ParsedRotation, parse_quaternion, parse_rotation, parse_vector};
 use crate::perturbation::exponential;
@@ -169,7 +169,7 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
         fault.in_field(field)
     };
     let text = measured(text, field)?;
-    if let Some(entries) = console::homogeneous(text) {
+    if let Some(entries) = homogeneous(text) {
         return Ok(entries);
     }
     match parse_rotation(text, field, ComponentOrder::ScalarFirst) {
@@ -185,6 +185,16 @@ fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
         }
         Err(problem) => Err(problem),
     }
+}
+
+/// The rotation part of sixteen numbers whose last row and last column are 0, 0, 0, 1.
+fn homogeneous(text: &str) -> Option<Matrix3<f64>> {
+    let numbers = only_numbers(text)?;
+    let entry = |row: usize, column: usize| numbers[4 * row + column].value;
+    let is_affine = numbers.len() == 16
+        && entry(3, 3) == 1.0
+        && (0..3).all(|at| entry(at, 3) == 0.0 && entry(3, at) == 0.0);
+    is_affine.then(|| Matrix3::from_fn(entry))
 }
 
 fn turn(text: &str) -> Result<Quaternion<f64>, Problem> {

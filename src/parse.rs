@@ -1,8 +1,8 @@
 //! Text to numbers: everything people paste, and nothing about rotations.
 //!
 //! What comes in is text as typed; what goes out is finite numbers by name, what they describe
-//! (a quaternion, an axis with its angle, a rotation vector, Euler angles, a matrix or a vector), and
-//! how the text told it.
+//! (a quaternion, an axis with its angle, a rotation vector or another vector along the axis, Euler
+//! angles, a matrix or a vector), and how the text told it.
 //!
 //! # What is accepted
 //!
@@ -17,15 +17,19 @@
 //! | axis and angle | `45deg about z`, `45deg [0, 0, 1]`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
 //! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
 //! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
+//! | half-angle vector | `halfangle 0 0 0.393`, `half-angle vector 0 0 22.5deg` |
+//! | Gibbs vector, Rodrigues parameters | `gibbs 0 0 0.414`, `Rodrigues parameters: 0 0 0.414` |
+//! | modified Rodrigues parameters | `mrp 0 0 0.199`, `Rotation.from_mrp([0, 0, 0.199])` |
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
 //! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
+//! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
 //! # Degrees or radians
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
-//! radians, and the call of a library has the library's unit. Otherwise a rotation vector and an
-//! attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
+//! radians, and the call of a library has the library's unit. Otherwise a rotation vector, a half-angle
+//! vector and an attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
 //! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
 //! Inside `sin`, `cos` and `tan` a number without a unit is radians whatever its size; beyond a full turn
 //! [`analyze`](fn@crate::analyze) says so.
@@ -41,7 +45,9 @@
 //!
 //! Capitals are axes that move (intrinsic), small letters axes that stay (extrinsic), as in `SciPy`;
 //! the words `intrinsic` and `extrinsic` win over the letters. `rpy` and named roll, pitch and yaw
-//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. In `ZYX: 30, 20, 10` and
+//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. Beside names another sequence
+//! counts only with a word for its frame (`intrinsic xyz: roll=…`); roll is then about x, pitch about
+//! y and yaw about z. In `ZYX: 30, 20, 10` and
 //! `3-2-1 30 20 10` the sequence is no name and no difference, whatever follows.
 //!
 //! # Grammar
@@ -79,31 +85,34 @@
 //! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
 //!   the grammar, which then reads the pieces between them.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.
-//! - Comments (`#`, `//`, `/* */`, and `%` with a space), declarations (`const Eigen::Quaterniond q(…);`), float suffixes (`0.5f`)
-//!   and casts (`np.float64(0.5)`) are read past.
+//! - Comments (`#`, `//`, `/* */`, and `%` with a space), the words of a declaration
+//!   (`const Eigen::Quaterniond q(…);`), types of numbers (`Quaternion<double>`), float suffixes
+//!   (`0.5f`), casts (`np.float64(0.5)`) and what consoles print before a list (`Float32Array(4) […]`,
+//!   with the count of its members) are read past. Any other word or number before a list is refused.
 //!
 //! # Which number is the scalar
 //!
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
 
-use crate::angle::AngleUnit;
 use crate::announced;
 use crate::calls;
 use crate::console;
 use crate::convention::ComponentOrder;
 use crate::lex::{self, Token};
+use crate::matrix_columns;
 use crate::matrix_rows;
 use crate::meaning;
 pub use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
 use crate::names::component;
 use crate::numbers;
+use crate::parts;
 use crate::phrases::Form;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem, Span, Wanted, is_too_long};
 use crate::report::OrderSource;
 pub use crate::representation::ParsedRotation;
-use crate::settings::without_settings;
+use crate::settings::{Settings, without_settings};
 use crate::spoken::{Spoken, spoken};
 use crate::syntax;
 use crate::tree::{Entry, NodeKind};
@@ -143,7 +152,6 @@ pub fn parse_rotation(
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Problem> {
     check_length(text).map_err(|fault| fault.in_field(field))?;
-    let text = &*console::without_wrappers(text);
     read(text, Wanted::Quaternion)
         .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
         .map_err(|fault| fault.in_field(field))
@@ -205,7 +213,6 @@ pub fn parse_quaternion(
 /// ```
 pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
     check_length(text).map_err(|fault| fault.in_field(field))?;
-    let text = &*console::without_wrappers(text);
     read(text, Wanted::Vector)
         .and_then(|(tokens, span)| meaning::vector(&syntax::entries(&tokens)?, span))
         .map_err(|fault| fault.in_field(field))
@@ -222,7 +229,7 @@ fn check_length(text: &str) -> Result<(), Fault> {
 
 fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
     let span = Span::of_trimmed(text);
-    let tokens = lex::tokens(text)?;
+    let tokens = console::without_list_names(&lex::tokens(text)?);
     if tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
     }
@@ -236,8 +243,7 @@ fn rotation(
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
     let (tokens, settings) = without_settings(tokens)?;
-    let unit = settings.unit.map(|(unit, _)| unit);
-    let rotation = match described(&tokens, text, span, unit)? {
+    let rotation = match described(&tokens, text, span, &settings)? {
         Described::Rotation(rotation) => rotation,
         Described::Quaternion(entries) => {
             let told = settings.order.map(|(order, _)| order);
@@ -271,8 +277,9 @@ fn described<'t>(
     tokens: &[Token<'t>],
     text: &'t str,
     span: Span,
-    unit: Option<AngleUnit>,
+    settings: &Settings<'t>,
 ) -> Result<Described<'t>, Fault> {
+    let unit = settings.unit.map(|(unit, _)| unit);
     let numbers = match spoken(tokens, text) {
         Spoken::About {
             before,
@@ -281,13 +288,20 @@ fn described<'t>(
         } => return announced::about(before, word, after, unit).map(Described::Rotation),
         Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
-        Spoken::Parts(parts) => {
-            return announced::parts(&parts, span, unit).map(Described::Rotation);
+        Spoken::Parts(labels, parts) => {
+            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
+            return parts::rotation(&parts, &announcement, span).map(Described::Rotation);
+        }
+        Spoken::Vectors(vectors) => {
+            let matrix = matrix_columns::matrix(&vectors, span)?;
+            return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
         }
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => rest,
             Some(form) => {
-                let announcement = announcement.with_unit(unit)?;
+                let announcement = announcement
+                    .with_unit(unit)?
+                    .with_sequence(settings.sequence)?;
                 return announced::announced(&announcement, form, rest, text)
                     .map(Described::Rotation);
             }
@@ -307,7 +321,7 @@ fn described<'t>(
     if let Some(rotation) = calls::rotation(&entries)? {
         return Ok(Described::InItself(rotation));
     }
-    if let Some(matrix) = matrix_rows::unannounced(&without_name(&entries), span)? {
+    if let Some(matrix) = matrix_rows::unannounced(&without_names(&entries)?, span)? {
         return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
     }
     if let [first, _, ..] = &entries[..]
@@ -319,13 +333,15 @@ fn described<'t>(
     Ok(Described::Quaternion(entries))
 }
 
-/// The members without the name of the whole, as in `R = [[…], […], […]]`.
-fn without_name<'t>(entries: &[Entry<'t>]) -> Vec<Entry<'t>> {
-    let mut entries = entries.to_vec();
-    if let Some(first) = entries.first_mut()
+/// The members without the names of the whole, as in `R = [[…], […], […]]`, and without the braces
+/// around such names: `{"pose": {"R": [[…], […], […]]}}`.
+fn without_names<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut entries = numbers::members(entries)?;
+    while let Some(first) = entries.first_mut()
         && first.key.is_some_and(|key| component(key.name).is_none())
     {
         first.key = None;
+        entries = numbers::members(&entries)?;
     }
-    entries
+    Ok(entries)
 }

@@ -13,6 +13,11 @@ pub(crate) enum Form {
     AxisAngle,
     AngleAxis,
     RotationVector,
+    HalfAngleVector,
+    GibbsVector,
+    ModifiedRodrigues,
+    /// The rotation vector in `OpenCV` and others, the Gibbs vector in textbooks.
+    RodriguesVector,
     Euler,
     Matrix,
 }
@@ -34,6 +39,18 @@ impl Said {
             "axisangle" | "axang" => Self::Form(Form::AxisAngle),
             "angleaxis" => Self::Form(Form::AngleAxis),
             "rotvec" | "rotationvector" | "rvec" => Self::Form(Form::RotationVector),
+            "halfangle" | "halfanglevector" => Self::Form(Form::HalfAngleVector),
+            "gibbs"
+            | "gibbsvector"
+            | "crp"
+            | "rodriguesparameters"
+            | "classicalrodriguesparameters" => Self::Form(Form::GibbsVector),
+            "mrp"
+            | "mrps"
+            | "modifiedrodrigues"
+            | "modifiedrodriguesparameters"
+            | "modifiedrodriguesvector" => Self::Form(Form::ModifiedRodrigues),
+            "rodrigues" | "rodriguesvector" => Self::Form(Form::RodriguesVector),
             "euler" | "eulerangle" | "eulerangles" => Self::Form(Form::Euler),
             "matrix" | "rotationmatrix" | "rotmat" | "dcm" => Self::Form(Form::Matrix),
             "intrinsic" | "rotating" | "moving" => Self::Frame(EulerFrame::Intrinsic),
@@ -46,7 +63,10 @@ impl Said {
 
     /// What a label says that ends in such words, as `imu_rpy:` does; `rpy_rate:` is something else.
     fn of_label(label: &str) -> Option<Self> {
-        const WORDS: [&str; 8] = [
+        const WORDS: [&str; 11] = [
+            "halfangle",
+            "gibbs",
+            "mrp",
             "axisangle",
             "angleaxis",
             "rotvec",
@@ -134,7 +154,9 @@ fn joined(tokens: &[Token<'_>], count: usize) -> Option<(String, usize)> {
             token.text
         });
     }
-    Some((words.to_ascii_lowercase().replace(['_', '-', ' '], ""), at))
+    // `rotvec<deg>` says its unit as `rotvec_deg` does.
+    let between = ['_', '-', ' ', '<', '>'];
+    Some((words.to_ascii_lowercase().replace(between, ""), at))
 }
 
 fn without_unit(words: &str) -> (&str, Option<AngleUnit>) {
@@ -168,6 +190,25 @@ pub(crate) fn is_sequence(word: &str) -> bool {
         _ => word,
     };
     letters.len() == 3 && letters.chars().all(is_axis)
+}
+
+/// Whether a word is a sequence in letters or in digits, `3-2-1` and `321` included.
+pub(crate) fn names_axes(word: &str) -> bool {
+    is_sequence(word) || word.parse::<EulerSequence>().is_ok()
+}
+
+/// The letters of a sequence in a name: `my_euler_xyz`, `orderZYX`, `euler_321`.
+pub(crate) fn sequence_in_name(name: &str) -> Option<&str> {
+    let is_euler = name.to_ascii_lowercase().contains("euler");
+    name.split(['_', '-', ' ', '.', ':']).find_map(|word| {
+        let (before, end) = word.split_at_checked(word.len().checked_sub(3)?)?;
+        let is_capital = |letter: char| matches!(letter, 'X' | 'Y' | 'Z');
+        let is_end = before.ends_with(char::is_lowercase) && end.chars().all(is_capital);
+        match () {
+            () if is_sequence(word) || (is_euler && names_axes(word)) => Some(word),
+            () => is_end.then_some(end),
+        }
+    })
 }
 
 /// How many tokens at the start are a sequence with dashes, `3-2-1` or `Z-Y-X`, or `321` after

@@ -38,6 +38,12 @@ pub enum Form {
     AxisAngle(ReadAxisAngle),
     /// A rotation vector.
     RotationVector(ReadRotationVector),
+    /// A half-angle vector.
+    HalfAngleVector(ReadHalfAngleVector),
+    /// A Gibbs vector.
+    GibbsVector(ReadGibbsVector),
+    /// Modified Rodrigues parameters.
+    ModifiedRodrigues(ReadModifiedRodrigues),
     /// Three angles about the axes of a sequence.
     EulerAngles(ReadEulerAngles),
     /// Nine numbers, row by row.
@@ -62,6 +68,31 @@ pub struct ReadAxisAngle {
 pub struct ReadRotationVector {
     /// Angle times axis, of any length.
     pub vector_rad: [f64; 3],
+}
+
+/// The data of [`Form::HalfAngleVector`], as typed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ReadHalfAngleVector {
+    /// Half the angle times axis, of any length.
+    pub vector_rad: [f64; 3],
+}
+
+/// The data of [`Form::GibbsVector`], as typed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ReadGibbsVector {
+    /// tan(angle/2) times axis, of any length.
+    pub vector: [f64; 3],
+}
+
+/// The data of [`Form::ModifiedRodrigues`], as typed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ReadModifiedRodrigues {
+    /// tan(angle/4) times axis, of any length.
+    pub parameters: [f64; 3],
 }
 
 /// The data of [`Form::EulerAngles`], as typed.

@@ -36,6 +36,8 @@ pub enum Fact {
     AngleUnitAssumed(AngleUnitAssumed),
     /// Nothing marks the rows of nine numbers, so they were read row by row.
     RowsAssumed(RowsAssumed),
+    /// Three vectors with the names of axes were taken for the columns of the matrix.
+    AxesAsColumns(AxesAsColumns),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
     /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
@@ -116,6 +118,16 @@ pub struct RowsAssumed {
     /// How far away the rotation is that the same numbers give column by column, the opposite turn, in
     /// degrees.
     pub columns_differ_by_deg: f64,
+}
+
+/// The data of [`Fact::AxesAsColumns`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct AxesAsColumns {
+    /// How far away the rotation is that the same vectors give row by row, the opposite turn, in
+    /// degrees.
+    pub rows_differ_by_deg: f64,
 }
 
 /// The data of [`Fact::NearestRotation`].

@@ -1,11 +1,11 @@
-//! What a text holds when it holds a rotation: one of five descriptions, each as it was typed.
+//! What a text holds when it holds a rotation: one of eight descriptions, each as it was typed.
 
 use crate::angle::UnitSource;
 use crate::angles::{self, Angle, Of, UnitRule};
 use crate::euler_sequence::EulerSequence;
 use crate::meaning::ParsedQuaternion;
 use crate::messages::Fault;
-use crate::numbers::{check_separators, members};
+use crate::numbers::{check_no_factor, check_separators, members};
 use crate::problem::Span;
 use crate::tree::Entry;
 use nalgebra::{Matrix3, Vector3};
@@ -19,6 +19,12 @@ pub enum ParsedRotation {
     AxisAngle(ParsedAxisAngle),
     /// The axis times the angle.
     RotationVector(ParsedRotationVector),
+    /// The axis times half the angle: the logarithm of the quaternion itself.
+    HalfAngleVector(ParsedHalfAngleVector),
+    /// The axis times tan(angle/2), also called (classical) Rodrigues parameters; of any length.
+    GibbsVector(Vector3<f64>),
+    /// The axis times tan(angle/4), of any length.
+    ModifiedRodrigues(Vector3<f64>),
     /// Three turns about coordinate axes.
     EulerAngles(ParsedEulerAngles),
     /// Three rows of three numbers as written, which need not be a rotation.
@@ -31,8 +37,12 @@ impl ParsedRotation {
         match self {
             Self::AxisAngle(parsed) => Some(parsed.unit),
             Self::RotationVector(parsed) => Some(parsed.unit),
+            Self::HalfAngleVector(parsed) => Some(parsed.unit),
             Self::EulerAngles(parsed) => Some(parsed.unit),
-            Self::Quaternion(_) | Self::Matrix(_) => None,
+            Self::Quaternion(_)
+            | Self::GibbsVector(_)
+            | Self::ModifiedRodrigues(_)
+            | Self::Matrix(_) => None,
         }
     }
 
@@ -42,6 +52,9 @@ impl ParsedRotation {
             Self::Quaternion(_) => "a quaternion",
             Self::AxisAngle(_) => "an axis and an angle",
             Self::RotationVector(_) => "a rotation vector",
+            Self::HalfAngleVector(_) => "a half-angle vector",
+            Self::GibbsVector(_) => "a Gibbs vector",
+            Self::ModifiedRodrigues(_) => "a set of modified Rodrigues parameters",
             Self::EulerAngles(_) => "a set of Euler angles",
             Self::Matrix(_) => "a matrix",
         }
@@ -62,6 +75,15 @@ pub struct ParsedAxisAngle {
 /// An axis whose length is the angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ParsedRotationVector {
+    /// In radians, of any length.
+    pub vector_rad: Vector3<f64>,
+    /// How the unit was told.
+    pub unit: UnitSource,
+}
+
+/// An axis whose length is half the angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedHalfAngleVector {
     /// In radians, of any length.
     pub vector_rad: Vector3<f64>,
     /// How the unit was told.
@@ -113,13 +135,26 @@ pub(crate) fn rotation_vector(angles: [Angle; 3], rule: UnitRule) -> Result<Pars
     }))
 }
 
+pub(crate) fn half_angle_vector(
+    angles: [Angle; 3],
+    rule: UnitRule,
+) -> Result<ParsedRotation, Fault> {
+    let (vector_rad, unit) = angles::in_radians(angles, Of::Vector, rule)?;
+    Ok(ParsedRotation::HalfAngleVector(ParsedHalfAngleVector {
+        vector_rad: vector_rad.into(),
+        unit,
+    }))
+}
+
 /// What the three numbers of Euler angles and of a rotation vector are, for a sentence.
 pub(crate) const THREE_ANGLES: &str = "three angles, one for each axis of the sequence";
 pub(crate) const THREE_NUMBERS: &str = "three numbers: the axis times the angle";
+pub(crate) const THREE_HALVES: &str = "three numbers: the axis times half the angle";
 
 /// Three numbers that may have units, in any brackets.
 pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[Angle; 3], Fault> {
     let entries = members(entries)?;
+    check_no_factor(&entries)?;
     check_separators(&entries, span)?;
     let angles: Vec<Angle> = entries
         .iter()

@@ -39,6 +39,27 @@ impl Fault {
         )
     }
 
+    pub(crate) fn number_before_list(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a number stands before this list: a factor, a count or an index",
+            "the list alone",
+            "multiply the numbers by it if it is a factor; otherwise remove it",
+        )
+    }
+
+    pub(crate) fn call_before_list(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!("nothing says what {name} does with the list after it"),
+            "the list alone, or a call that holds it",
+            "write the numbers that come out of it; remove it if it only counts or numbers the list",
+        )
+    }
+
     pub(crate) fn angle_for_number(span: Span) -> Self {
         Self::new(
             ProblemCode::Unexpected,
@@ -247,72 +268,24 @@ impl Fault {
         )
     }
 
-    pub(crate) fn no_sequence(span: Span) -> Self {
+    pub(crate) fn unit_of_tangents(span: Span) -> Self {
         Self::new(
-            ProblemCode::UnknownSequence,
+            ProblemCode::MixedUnits,
             span,
-            "nothing says about which axes these angles turn, and in which order",
-            "a sequence of three axes: capitals for axes that move (ZYX), small letters for fixed \
-             ones (xyz)",
-            "write ZYX 30deg 20deg 10deg, or roll=10deg pitch=20deg yaw=30deg",
+            "these three numbers are tangents of a part of the angle, which have no unit",
+            "three numbers without a unit",
+            "remove the unit, or write the angle itself: rotvec 0 0 45deg, halfangle 0 0 22.5deg",
         )
     }
 
-    pub(crate) fn sequence_or_number(span: Span) -> Self {
+    pub(crate) fn rodrigues_vector(span: Span) -> Self {
         Self::new(
-            ProblemCode::UnknownSequence,
+            ProblemCode::UnknownWord,
             span,
-            "this is the first number of a quaternion, or the sequence of three Euler angles",
-            "a sequence with dashes, or a word before the numbers",
-            "write 3-2-1 30 20 10 for the angles, quaternion 321 30 20 10 for the four numbers",
-        )
-    }
-
-    pub(crate) fn unknown_sequence(span: Span, written: &str) -> Self {
-        let letters: Vec<char> = written
-            .chars()
-            .filter(|mark| mark.is_alphanumeric())
-            .collect();
-        let follows_itself = letters
-            .windows(2)
-            .any(|pair| pair[0].eq_ignore_ascii_case(&pair[1]));
-        let is_mixed = letters.iter().any(char::is_ascii_lowercase)
-            && letters.iter().any(char::is_ascii_uppercase);
-        let written = shorten(written, QUOTED_CHARACTERS);
-        let (message, hint) = match (letters.len(), follows_itself, is_mixed) {
-            (3, true, _) => (
-                format!(
-                    "{written} is no Euler sequence: an axis follows itself, so two of its turns are one"
-                ),
-                "write the sequence that is meant, such as ZYX or ZXZ",
-            ),
-            (3, false, true) => (
-                format!(
-                    "{written} has capitals and small letters, so it does not say whether its axes move"
-                ),
-                "write ZYX for axes that move (intrinsic), or zyx for fixed ones (extrinsic)",
-            ),
-            _ => (
-                format!("{written} is no Euler sequence"),
-                "write a sequence such as ZYX, zyx or 3-2-1",
-            ),
-        };
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            message,
-            "three axes, none after itself",
-            hint,
-        )
-    }
-
-    pub(crate) fn contradicting_frame(span: Span, written: &str) -> Self {
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            format!("{written} says by its first letter the opposite of the word beside it"),
-            "s for static (extrinsic) axes, r for rotating (intrinsic) ones, or the word alone",
-            "remove the letter or the word",
+            "a Rodrigues vector is the rotation vector for some (OpenCV) and the Gibbs vector, \
+             tan(θ/2) times the axis, for others",
+            "a name with one meaning",
+            "write rotvec 0 0 0.785, or gibbs 0 0 0.414",
         )
     }
 

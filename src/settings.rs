@@ -5,7 +5,8 @@ use crate::constructor::order_in_name;
 use crate::convention::ComponentOrder;
 use crate::lex::{Token, TokenKind};
 use crate::messages::Fault;
-use crate::phrases::{is_mark, is_name, is_sequence, phrase_ahead};
+use crate::parts;
+use crate::phrases::{is_mark, is_name, is_sequence, names_axes, phrase_ahead};
 use crate::tree::Key;
 
 /// What named words say of all the numbers: `"unit": "deg"`, `order: xyzw`, `degrees=True`.
@@ -13,6 +14,8 @@ use crate::tree::Key;
 pub(crate) struct Settings<'t> {
     pub(crate) unit: Option<(AngleUnit, Key<'t>)>,
     pub(crate) order: Option<(ComponentOrder, Key<'t>)>,
+    /// The sequence of angles that have names, as written.
+    pub(crate) sequence: Option<(&'t str, Key<'t>)>,
 }
 
 impl<'t> Settings<'t> {
@@ -61,6 +64,35 @@ impl<'t> Settings<'t> {
         Ok(unit.is_some() || order.is_some())
     }
 
+    /// Takes in the sequence of named angles that a name and its value say, and whether they do.
+    fn take_sequence(&mut self, name: &Token<'t>, value: &Token<'t>) -> Result<bool, Fault> {
+        const NAMES: [&str; 7] = [
+            "order",
+            "sequence",
+            "seq",
+            "axes",
+            "convention",
+            "format",
+            "type",
+        ];
+        let lower = name.text.to_ascii_lowercase();
+        let is_it = NAMES.iter().any(|known| lower.ends_with(known));
+        if !(is_it && names_axes(value.text)) {
+            return Ok(false);
+        }
+        let key = Key {
+            heading: None,
+            name: name.text,
+            span: name.span,
+        };
+        match self.sequence.replace((value.text, key)) {
+            Some((other, _)) if other != value.text => {
+                Err(Fault::unknown_argument(key.span, key.name))
+            }
+            _ => Ok(true),
+        }
+    }
+
     /// That nothing is said of a unit, because there is no angle, or its call has a unit.
     pub(crate) fn check_no_unit(&self) -> Result<(), Fault> {
         match self.unit {
@@ -88,6 +120,7 @@ pub(crate) fn without_settings<'t>(
     let mut rest: Vec<Token<'t>> = Vec::new();
     let mut is_call = Vec::new();
     let mut open_calls = 0_usize;
+    let has_names = tokens.iter().any(parts::is_named_angle);
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         match token.kind {
@@ -111,7 +144,8 @@ pub(crate) fn without_settings<'t>(
             && is_name(name)
             && is_mark(Some(mark))
             && is_name(value)
-            && settings.take(name, value)?
+            && (settings.take(name, value)?
+                || (has_names && settings.take_sequence(name, value)?))
         {
             at += 3;
             let is_comma = |token: Option<&Token<'_>>| {

@@ -5,13 +5,17 @@
 use crate::angle::AngleUnit;
 use crate::constructor::is_derived_label;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
-use crate::lex::{Bracket, Token, TokenKind, last_segment};
+use crate::lex::{Bracket, Token, TokenKind};
+use crate::matrix_columns::{LabelledVector, labelled_vectors};
 use crate::messages::Fault;
 use crate::names::component;
+use crate::parts::{SpokenPart, named_parts};
 use crate::phrases::{
     Form, Phrase, Said, digits_ahead, euler_sequence, is_mark, is_name, is_sequence, phrase_ahead,
+    sequence_in_name,
 };
 use crate::problem::Span;
+use crate::tree::Key;
 
 /// What a text says of its numbers in words.
 pub(crate) enum Spoken<'s, 't> {
@@ -23,64 +27,16 @@ pub(crate) enum Spoken<'s, 't> {
         word: Span,
         after: &'s [Token<'t>],
     },
-    /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`
-    Parts(Vec<SpokenPart<'s, 't>>),
+    /// `axis [0, 0, 1] angle 45deg`, `roll=10deg pitch=20deg yaw=30deg`, and what labels before them say.
+    Parts(Announcement<'t>, Vec<SpokenPart<'s, 't>>),
+    /// `x: 0 1 0, y: -1 0 0, z: 0 0 1`
+    Vectors(Vec<LabelledVector<'s, 't>>),
     /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that says they are something else.
     Derived(Token<'t>),
     /// Two attributes that are rotations: where the second stands.
     Several(Span),
     /// `rotvec 0 0 0.785`: what is announced and what follows it.
     Announced(Announcement<'t>, &'s [Token<'t>]),
-}
-
-pub(crate) struct SpokenPart<'s, 't> {
-    pub(crate) part: Part,
-    /// That of its name.
-    pub(crate) unit: Option<AngleUnit>,
-    pub(crate) label: Span,
-    pub(crate) tokens: &'s [Token<'t>],
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    Axis,
-    Angle,
-    Roll,
-    Pitch,
-    Yaw,
-}
-
-impl Part {
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Axis => "axis",
-            Self::Angle => "angle",
-            Self::Roll => "roll",
-            Self::Pitch => "pitch",
-            Self::Yaw => "yaw",
-        }
-    }
-
-    /// The part that a name is, with the unit at its end, as in `roll_deg`.
-    fn named(token: &Token<'_>) -> Option<(Self, Option<AngleUnit>)> {
-        if !is_name(token) {
-            return None;
-        }
-        let lower = last_segment(token.text).to_ascii_lowercase();
-        let (name, unit) = match lower.split_once('_') {
-            Some((name, unit)) => (name, Some(AngleUnit::named(unit)?)),
-            None => (lower.as_str(), None),
-        };
-        let part = match name {
-            "axis" if unit.is_none() => Self::Axis,
-            "angle" => Self::Angle,
-            "roll" => Self::Roll,
-            "pitch" => Self::Pitch,
-            "yaw" | "heading" => Self::Yaw,
-            _ => return None,
-        };
-        Some((part, unit))
-    }
 }
 
 /// The words before the numbers.
@@ -92,6 +48,8 @@ pub(crate) struct Announcement<'t> {
     pub(crate) unit: Option<AngleUnit>,
     /// Whether another unit than that is written as well.
     pub(crate) has_two_units: bool,
+    /// A label that names what was made of a rotation.
+    derived: Option<Token<'t>>,
     pub(crate) span: Span,
 }
 
@@ -100,6 +58,8 @@ pub(crate) struct Announcement<'t> {
 pub(crate) enum Sequence<'t> {
     Named(EulerSequence),
     Written(&'t str, Span),
+    /// In a name, as in `euler_xyz`, where small letters may only be the style of names.
+    InName(&'t str, Span),
 }
 
 /// Brackets around a whole text, and labels before it, that are looked behind for words.
@@ -111,16 +71,27 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
         [only] => only,
         [_, second, ..] => return Spoken::Several(second[0].span.to(second[2].span)),
     };
+    let mut labels = Announcement::default();
     for _ in 0..=MOST_WRAPPINGS {
         if let Some(label) = derived_label(tokens) {
             return Spoken::Derived(label);
+        }
+        if let Some(vectors) = labelled_vectors(tokens) {
+            return match labels.derived {
+                Some(label) => Spoken::Derived(label),
+                None => Spoken::Vectors(vectors),
+            };
         }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
             return Spoken::Announced(announcement, &tokens[length..]);
         }
-        if let Some(parts) = parts(tokens) {
-            return Spoken::Parts(parts);
+        if let Some(parts) = named_parts(tokens) {
+            let word_before = Some(tokens[0]).filter(|word| is_derived_label(word.text));
+            return match labels.derived.or(word_before) {
+                Some(label) => Spoken::Derived(label),
+                None => Spoken::Parts(labels, parts),
+            };
         }
         let about = at_depth_zero(tokens)
             .find(|&at| is_name(&tokens[at]) && matches!(tokens[at].text, "about" | "around"));
@@ -131,16 +102,20 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
                 after: &tokens[at + 1..],
             };
         }
-        match inside(tokens).or_else(|| after_label(tokens)) {
-            Some(inner) => tokens = inner,
-            None => break,
-        }
+        tokens = match (inside(tokens), after_label(tokens)) {
+            (Some(inner), _) => inner,
+            (None, Some(inner)) => {
+                labels.take_label(&tokens[0]);
+                inner
+            }
+            (None, None) => break,
+        };
     }
     Spoken::Nothing
 }
 
 /// The places of the tokens outside all brackets.
-fn at_depth_zero<'s>(tokens: &'s [Token<'_>]) -> impl Iterator<Item = usize> + use<'s> {
+pub(crate) fn at_depth_zero<'s>(tokens: &'s [Token<'_>]) -> impl Iterator<Item = usize> + use<'s> {
     let mut depth = 0_usize;
     (0..tokens.len()).filter(move |&at| match tokens[at].kind {
         TokenKind::Open(_) => {
@@ -202,32 +177,6 @@ fn attributes<'s, 't>(tokens: &'s [Token<'t>]) -> Vec<&'s [Token<'t>]> {
         return found;
     }
     Vec::new()
-}
-
-/// The parts whose names a text begins with.
-pub(crate) fn parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s, 't>>> {
-    let found: Vec<_> = at_depth_zero(tokens)
-        .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
-        .collect();
-    let [(first, ..), later @ ..] = &found[..] else {
-        return None;
-    };
-    // A type may stand before the first name, as in `double roll = 0.1`.
-    if *first > 1 || (*first == 1 && !is_name(&tokens[0])) {
-        return None;
-    }
-    let ends = later.iter().map(|&(at, ..)| at);
-    let parts = found.iter().zip(ends.chain([tokens.len()]));
-    Some(
-        parts
-            .map(|(&(at, (part, unit)), end)| SpokenPart {
-                part,
-                unit,
-                label: tokens[at].span,
-                tokens: &tokens[at + 1 + usize::from(is_mark(tokens.get(at + 1)))..end],
-            })
-            .collect(),
-    )
 }
 
 /// The words at the start of a text that announce a form, and how many tokens they are.
@@ -319,8 +268,12 @@ impl<'t> Announcement<'t> {
         let is_free = |form| self.form.is_none_or(|own| own == form);
         match said {
             Said::Form(Form::Quaternion) if tells_itself => return None,
+            // The call of OpenCV, `Rodrigues(…)`, says which vector it takes.
+            Said::Form(Form::RodriguesVector) if tells_itself && !is_mark(next) => return None,
             Said::Form(form) if is_free(form) => self.form = Some(form),
-            Said::Frame(frame) if is_free(Form::Euler) && !is_mark(next) => {
+            Said::Frame(frame)
+                if is_free(Form::Euler) && (self.form.is_some() || !is_mark(next)) =>
+            {
                 self.frame = Some(frame);
                 self.form = Some(Form::Euler);
             }
@@ -332,7 +285,7 @@ impl<'t> Announcement<'t> {
         if let Some((letters, span)) = sequence
             && self.sequence.is_none()
         {
-            self.set_sequence(Sequence::Written(letters, span));
+            self.set_sequence(Sequence::InName(letters, span));
         }
         self.take_unit(unit);
         Some(length)
@@ -357,17 +310,79 @@ impl<'t> Announcement<'t> {
         self.form = Some(Form::Euler);
     }
 
-    /// The sequence of Euler angles; a problem where it is none, or is missing.
+    /// Takes in what a label before named parts says.
+    fn take_label(&mut self, label: &Token<'t>) {
+        if is_derived_label(label.text) {
+            self.derived = Some(*label);
+        }
+        if let Some(letters) = sequence_in_name(label.text) {
+            self.set_sequence(Sequence::InName(letters, label.span));
+        }
+        match phrase_ahead(&[*label]).map(|phrase| phrase.said) {
+            Some(Said::Form(form)) => self.form = Some(form),
+            Some(Said::Frame(frame)) => self.frame = Some(frame),
+            Some(Said::Angles(sequence)) => self.set_sequence(Sequence::Named(sequence)),
+            None => {}
+        }
+        self.span = label.span;
+    }
+
+    /// With a sequence that a named word says of named angles: `order: XYZ`.
+    pub(crate) fn with_sequence(mut self, told: Option<(&'t str, Key<'t>)>) -> Result<Self, Fault> {
+        if let Some((written, key)) = told {
+            if self.sequence.is_some() {
+                return Err(Fault::unknown_argument(key.span, key.name));
+            }
+            self.sequence = Some(Sequence::InName(written, key.span));
+            self.form = self.form.or(Some(Form::Euler));
+        }
+        Ok(self)
+    }
+
+    /// The sequence of Euler angles; a problem where it is none, or is missing, or is known by a
+    /// name that a word for its frame contradicts.
     pub(crate) fn euler_sequence(&self) -> Result<EulerSequence, Fault> {
         let Some(sequence) = self.sequence else {
             return Err(Fault::no_sequence(self.span));
         };
         match sequence {
-            Sequence::Named(sequence) => Ok(EulerSequence {
-                frame: self.frame.unwrap_or(sequence.frame),
-                ..sequence
-            }),
-            Sequence::Written(written, span) => euler_sequence(written, span, self.frame),
+            Sequence::Named(sequence) if self.frame.is_some_and(|own| own != sequence.frame) => {
+                Err(Fault::frame_against_name(self.span, sequence))
+            }
+            Sequence::Named(sequence) => Ok(sequence),
+            Sequence::Written(written, span) | Sequence::InName(written, span) => {
+                euler_sequence(written, span, self.frame)
+            }
         }
+    }
+
+    /// The sequence of angles that are named roll, pitch and yaw, which are about x, y and z.
+    ///
+    /// Without a word: fixed axes x, y, z, which is the same as moving axes z, y, x. Another one must
+    /// be told with its frame, because the case of letters is too little against what the names
+    /// usually mean.
+    pub(crate) fn sequence_of_named_angles(&self) -> Result<EulerSequence, Fault> {
+        const USUAL: [EulerSequence; 2] = [EulerSequence::ROLL_PITCH_YAW, EulerSequence::AEROSPACE];
+        if self.sequence.is_none() {
+            return match self.frame {
+                None => Ok(EulerSequence::ROLL_PITCH_YAW),
+                Some(_) => Err(Fault::frame_without_sequence(self.span)),
+            };
+        }
+        let found = self.euler_sequence()?;
+        let (written, span, is_in_name) = match self.sequence {
+            Some(Sequence::Written(written, span)) => (written, span, false),
+            Some(Sequence::InName(written, span)) => (written, span, true),
+            Some(Sequence::Named(_)) | None => return Ok(found),
+        };
+        if found.is_proper() {
+            return Err(Fault::sequence_of_two_axes(span, written));
+        }
+        let is_told = self.frame.is_some() || written.starts_with(['s', 'r']);
+        let is_style = is_in_name && written.starts_with(['x', 'y', 'z']);
+        if is_told || (USUAL.contains(&found) && !is_style) {
+            return Ok(found);
+        }
+        Err(Fault::sequence_of_named_angles(span, written))
     }
 }

@@ -17,7 +17,7 @@ use winnow::stream::Stateful;
 use winnow::token::any;
 
 /// How many brackets may be open at once; a quaternion needs about four.
-const MAX_DEPTH: usize = 32;
+pub(crate) const MAX_DEPTH: usize = 32;
 
 /// As in `Eigen::Quaterniond q =`.
 const MOST_WORDS_OF_A_KEY: usize = 2;

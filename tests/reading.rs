@@ -452,4 +452,6 @@ fn what_consoles_write_around_numbers() {
     // As much of it as there may be.
     let long = "\u{2502}[".repeat(20_000);
     assert!(four(&long).is_err());
+    let long = "Array(1) [".repeat(6_500);
+    assert!(four(&long).is_err());
 }

@@ -98,6 +98,8 @@ export function fixesOfNote(store: Store, { field, fact }: Note): Fix[] {
     }
     case "rows-assumed":
       return [writes(fixWords.columns, ({ quaternion: { form } }) => transposedRows(form))];
+    case "axes-as-columns":
+      return [writes(fixWords.rows, ({ quaternion: { form } }) => transposedRows(form))];
     case "nearest-rotation":
       return view === "translate" ? [] : [writes(fixWords.nearestRotation, nearestRows)];
     default:

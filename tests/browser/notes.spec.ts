@@ -55,6 +55,12 @@ const texts: { name: string; typed: string; said: RegExp; written: string }[] = 
     written: rows("0 1 0", "-1 0 0", "0 0 1"),
   },
   {
+    name: "three axes by name",
+    typed: "x: 0 1 0, y: -1 0 0, z: 0 0 1",
+    said: /read as the columns.*180° away/,
+    written: rows("0 1 0", "-1 0 0", "0 0 1"),
+  },
+  {
     name: "a matrix that is not quite orthogonal",
     typed: rows("0 -1.01 0", "1 0 0", "0 0 1"),
     said: /not quite a rotation.*0\.02\d*\).*0\.01\d* away/,

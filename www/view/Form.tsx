@@ -29,6 +29,12 @@ export function FormWords({
       );
     case "rotation-vector":
       return words.rotationVector(<code>{shownArray(form.vectorRad, digits)}</code>);
+    case "half-angle-vector":
+      return words.halfAngleVector(<code>{shownArray(form.vectorRad, digits)}</code>);
+    case "gibbs-vector":
+      return words.gibbsVector(<code>{shownArray(form.vector, digits)}</code>);
+    case "modified-rodrigues":
+      return words.modifiedRodrigues(<code>{shownArray(form.parameters, digits)}</code>);
     case "euler-angles": {
       const { sequence, anglesRad } = form;
       return words.euler(

@@ -10,6 +10,18 @@ export const axisAngle = (angle: ComponentChildren, axis: ComponentChildren) => 
 
 export const rotationVector = (vector: ComponentChildren) => <>a rotation vector {vector} rad: </>;
 
+export const halfAngleVector = (vector: ComponentChildren) => (
+  <>a half-angle vector, angle/2 times the axis, {vector} rad: </>
+);
+
+export const gibbsVector = (vector: ComponentChildren) => (
+  <>a Gibbs vector, tan(angle/2) times the axis, {vector}: </>
+);
+
+export const modifiedRodrigues = (parameters: ComponentChildren) => (
+  <>modified Rodrigues parameters, tan(angle/4) times the axis, {parameters}: </>
+);
+
 export const euler = (sequence: string, frame: EulerFrame, angles: ComponentChildren) => (
   <>
     Euler angles {sequence}, about the {frame === "intrinsic" ? "moving" : "fixed"} axes, {angles}:{" "}

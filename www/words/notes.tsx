@@ -92,6 +92,14 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
           opposite turn, <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
         </>
       );
+    case "axes-as-columns":
+      return (
+        <>
+          Vectors with the names of axes are the turned axes: read as the columns of the matrix. As
+          rows they are the opposite turn, <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code>{" "}
+          away.
+        </>
+      );
     case "nearest-rotation":
       return (
         <>
@@ -159,6 +167,7 @@ export const fixWords = {
   degrees: "These are degrees",
   radians: "These are radians",
   columns: "Read column by column",
+  rows: "Read row by row",
   nearestRotation: "Write the nearest rotation",
 };
 

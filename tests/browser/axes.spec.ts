@@ -19,9 +19,18 @@ const descriptions: [string, RegExp][] = [
   ["ZYX 30° 20° 10°", /Read as Euler angles ZYX, about the moving axes, 30°, 20°, 10°:/],
   ["rpy 10deg 20deg 30deg", /Read as Euler angles xyz, about the fixed axes, 10°, 20°, 30°:/],
   ["35.817017560deg about 0.12402 0.61564 0.77820", /Read as 35.817018° about/],
-  ["gibbs 0.040076334 0.198947140 0.251483063", /Read as a Gibbs vector, tan\(angle\/2\) times the axis, \[0.040/],
-  ["mrp 0.019540676 0.097003920 0.122619722", /Read as modified Rodrigues parameters, tan\(angle\/4\) times the axis, \[0.019/],
-  ["halfangle 0.038762658 0.192425784 0.243239615", /Read as a half-angle vector, angle\/2 times the axis, \[0.038.* rad:/],
+  [
+    "gibbs 0.040076334 0.198947140 0.251483063",
+    /Read as a Gibbs vector, tan\(angle\/2\) times the axis, \[0.040/,
+  ],
+  [
+    "mrp 0.019540676 0.097003920 0.122619722",
+    /Read as modified Rodrigues parameters, tan\(angle\/4\) times the axis, \[0.019/,
+  ],
+  [
+    "halfangle 0.038762658 0.192425784 0.243239615",
+    /Read as a half-angle vector, angle\/2 times the axis, \[0.038.* rad:/,
+  ],
   [
     "0.8137976813493737 -0.4409696105298824 0.3785223063697925 0.4698463103929542 0.8825641192593856 0.01802831123629729 -0.3420201433256687 0.16317591116653482 0.9254165783983234",
     /Read as a matrix, body → world:/,

@@ -4,7 +4,7 @@ import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 189_500;
+const firstBudget = 199_300;
 const lazyBudgets: Record<string, number> = {
   "ComposePicture.js": 1_540,
   "CopyMenu.css": 450,
@@ -34,7 +34,7 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 610,
   "phrases.js": 220,
   "quatlas.js": 3_330,
-  "quatlas_bg.wasm": 273_680,
+  "quatlas_bg.wasm": 283_900,
   "save.js": 4_970,
   "service_worker.js": 3_880,
   "translate.css": 1_820,

@@ -96,8 +96,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
       return (
         <>
           Vectors with the names of axes are the turned axes: read as the columns of the matrix. As
-          rows they are the opposite turn, <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code>{" "}
-          away.
+          rows they are the opposite turn,{" "}
+          <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
         </>
       );
     case "nearest-rotation":

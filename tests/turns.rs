@@ -98,10 +98,13 @@ fn the_scalar_of_a_matrix_is_not_negative() {
     }
 }
 
+/// A text, its quaternion w x y z and the rows of its matrix body to world.
+type Exact = (&'static str, [f64; 4], [[f64; 3]; 3]);
+
 #[wasm_bindgen_test(unsupported = test)]
 fn quarter_turns_in_degrees_are_exact() {
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    let cases: [(&str, [f64; 4], [[f64; 3]; 3]); 9] = [
+    let cases: [Exact; 9] = [
         (
             "90° about z",
             [half, 0.0, 0.0, half],

@@ -41,6 +41,8 @@ fn angles_that_lead_to_a_negative_scalar_are_told() {
         "ZYX 170° 80° 170°",
         "ZYX 180° 0 0",
         "rpy 0 180° 180°",
+        // Half a turn, whose scalar of -5e-17 is only rounded.
+        "ZYX pi 1e-16 -pi",
     ];
     for convention in [Convention::HAMILTON, Convention::JPL] {
         for text in texts {

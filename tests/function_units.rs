@@ -136,7 +136,7 @@ fn every_field_tells_it() {
         ),
     );
     let report = read("1 0 0 0", text, Convention::HAMILTON);
-    assert_eq!(of_field(&report.notes), [of_vector.clone()]);
+    assert_eq!(of_field(&report.notes), vec![of_vector.clone()]);
 
     let turned = "cos(9) + sin(9) i";
     let of = |field| {

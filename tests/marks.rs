@@ -2,10 +2,6 @@
 //! document, and what is not seen.
 
 mod common;
-#[cfg(not(target_arch = "wasm32"))]
-#[path = "common/property.rs"]
-mod property;
-
 use common::{assert_close, read_request, wasm_bindgen_test, wxyz};
 use quatlas::{
     ComponentOrder, ComposeRequest, Convention, Field, Outcome, ParsedRotation, Problem,
@@ -365,107 +361,4 @@ fn numbers_that_run_together_are_no_difference() {
             "(1-0.25) 0 (-1/3) 0.5",
         ],
     );
-}
-
-#[cfg(not(target_arch = "wasm32"))]
-mod laws {
-    use super::{
-        ComposeRequest, Convention, Field, Outcome, ProblemCode, Request, analyze, read_request,
-    };
-    use crate::property::for_all;
-    use proptest::prelude::*;
-
-    const PIECES: [&str; 52] = [
-        "0",
-        "1",
-        "0.5",
-        "-0.5",
-        ".",
-        " ",
-        " ",
-        " ",
-        "\n",
-        "\t",
-        ", ",
-        ";",
-        "(",
-        ")",
-        "[",
-        "]",
-        "-",
-        "---",
-        "\n---",
-        "- ",
-        "─",
-        "── ",
-        " │ ",
-        "┌",
-        "└ ",
-        "\n├─ ",
-        "╱",
-        "−",
-        "—",
-        "\u{a0}",
-        "\u{200b}",
-        "\u{202f}",
-        "\u{ad}",
-        "\u{feff}",
-        "\u{202e}",
-        "🙂",
-        "四",
-        "é",
-        "\"│\"",
-        "'─ x'",
-        "# │\n",
-        "w=",
-        "ω:",
-        "Float32Array(4) ",
-        "Größe(4) ",
-        "Mat3(9)\u{200b}[",
-        "45°",
-        "ZYX ",
-        " about ",
-        "rpy ",
-        "cos(",
-        "√",
-    ];
-
-    fn typed() -> impl Strategy<Value = String> {
-        prop::collection::vec(prop::sample::select(&PIECES[..]), 0..14)
-            .prop_map(|pieces| pieces.concat())
-    }
-
-    #[test]
-    fn every_problem_points_at_whole_characters_and_names_what_it_points_at() {
-        for_all(1500, (typed(), typed()), |(one, other)| {
-            let requests = [
-                read_request(&one, &other, Convention::JPL),
-                Request::Compose(ComposeRequest::new(&one, &other, "1 0 0", Convention::JPL)),
-            ];
-            for request in requests {
-                let Outcome::Problems(found) = analyze(&request) else {
-                    continue;
-                };
-                for problem in found.problems {
-                    let text = match problem.field {
-                        Field::Quaternion | Field::P => &one,
-                        _ => &other,
-                    };
-                    let marked = text.get(problem.span.start..problem.span.end);
-                    prop_assert!(marked.is_some(), "{text:?}: {problem:?}");
-                    let marked = marked.unwrap_or_default();
-                    let names_it = marked.chars().next().is_some_and(|character| {
-                        let code = format!("U+{:04X}", u32::from(character));
-                        problem.message.contains(character) || problem.message.contains(&code)
-                    });
-                    let is_of_characters = problem.code == ProblemCode::UnexpectedCharacter;
-                    prop_assert!(
-                        !is_of_characters || names_it || marked == ".",
-                        "{text:?}: {problem:?}"
-                    );
-                }
-            }
-            Ok(())
-        });
-    }
 }

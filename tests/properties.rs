@@ -8,7 +8,9 @@ mod property;
 use common::{all_conventions, read_request};
 use property::for_all;
 use proptest::prelude::*;
-use quatlas::{ComposeRequest, Outcome, Request, Rotation, TaggedQuaternion, analyze};
+use quatlas::{
+    ComposeRequest, Field, Outcome, ProblemCode, Request, Rotation, TaggedQuaternion, analyze,
+};
 use serde_json::Value;
 
 const CASES: u32 = 2000;
@@ -141,6 +143,106 @@ fn any_unicode_text_is_answered() {
             &read_request(&text, &text, quatlas::Convention::HAMILTON),
             &[&text],
         )
+    });
+}
+
+/// Marks, spaces and letters of one to four bytes, among numbers.
+const MARKS: [&str; 52] = [
+    "0",
+    "1",
+    "0.5",
+    "-0.5",
+    ".",
+    " ",
+    " ",
+    " ",
+    "\n",
+    "\t",
+    ", ",
+    ";",
+    "(",
+    ")",
+    "[",
+    "]",
+    "-",
+    "---",
+    "\n---",
+    "- ",
+    "─",
+    "── ",
+    " │ ",
+    "┌",
+    "└ ",
+    "\n├─ ",
+    "╱",
+    "−",
+    "—",
+    "\u{a0}",
+    "\u{200b}",
+    "\u{202f}",
+    "\u{ad}",
+    "\u{feff}",
+    "\u{202e}",
+    "🙂",
+    "四",
+    "é",
+    "\"│\"",
+    "'─ x'",
+    "# │\n",
+    "w=",
+    "ω:",
+    "Float32Array(4) ",
+    "Größe(4) ",
+    "Mat3(9)\u{200b}[",
+    "45°",
+    "ZYX ",
+    " about ",
+    "rpy ",
+    "cos(",
+    "√",
+];
+
+fn marked() -> impl Strategy<Value = String> {
+    prop::collection::vec(prop::sample::select(&MARKS[..]), 0..14)
+        .prop_map(|pieces| pieces.concat())
+}
+
+#[test]
+fn every_problem_points_at_whole_characters_and_names_what_it_points_at() {
+    for_all(1500, (marked(), marked()), |(one, other)| {
+        let requests = [
+            read_request(&one, &other, quatlas::Convention::JPL),
+            Request::Compose(ComposeRequest::new(
+                &one,
+                &other,
+                "1 0 0",
+                quatlas::Convention::JPL,
+            )),
+        ];
+        for request in requests {
+            let Outcome::Problems(found) = analyze(&request) else {
+                continue;
+            };
+            for problem in found.problems {
+                let text = match problem.field {
+                    Field::Quaternion | Field::P => &one,
+                    _ => &other,
+                };
+                let marked = text.get(problem.span.start..problem.span.end);
+                prop_assert!(marked.is_some(), "{text:?}: {problem:?}");
+                let marked = marked.unwrap_or_default();
+                let names_it = marked.chars().next().is_some_and(|character| {
+                    let code = format!("U+{:04X}", u32::from(character));
+                    problem.message.contains(character) || problem.message.contains(&code)
+                });
+                let is_of_characters = problem.code == ProblemCode::UnexpectedCharacter;
+                prop_assert!(
+                    !is_of_characters || names_it || marked == ".",
+                    "{text:?}: {problem:?}"
+                );
+            }
+        }
+        Ok(())
     });
 }
 

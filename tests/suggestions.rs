@@ -328,9 +328,9 @@ mod laws {
         let ascii: String = text
             .chars()
             .map(|character| match character {
-                '０'..='９' => char::from(b'0' + (character as u32 - '０' as u32) as u8),
+                // As wide as an ideograph.
+                '０'..='９' | '．' => char::from_u32(character as u32 - 0xfee0).expect("ASCII"),
                 '－' | '−' | '–' | '—' | '‒' | '─' | '━' => '-',
-                '．' => '.',
                 other => other,
             })
             .collect();

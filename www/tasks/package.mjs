@@ -49,5 +49,5 @@ function writeTypes(out) {
   for (const extension of ["d.mts", "d.cts"]) {
     writeFileSync(join(out, `index.${extension}`), withoutLinks(coreTypes) + index);
   }
-  rmSync(join(out, "index.d.ts"));
+  for (const emitted of ["index.d.ts", "answering.d.ts"]) rmSync(join(out, emitted));
 }

@@ -24,7 +24,8 @@ pub enum Endpoint {
 pub struct LibraryEndpoint {
     /// The id of its record.
     pub id: String,
-    /// The order in which the numbers stand, where it is not that of the array.
+    /// The order in which the numbers stand, where it is not that of the array; also in a line of code
+    /// that is nothing but an array.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<ComponentOrder>,
     /// Which coordinates to which the quaternion takes when it acts. Where it is left out, it is

@@ -303,9 +303,21 @@ mod identify;
 /// A request in, an outcome out.
 pub mod analyze;
 
+// The members of objects of JavaScript.
+#[cfg(target_arch = "wasm32")]
+mod wasm_members;
+
+// The texts of requests, and how long they are.
+#[cfg(target_arch = "wasm32")]
+mod wasm_text;
+
 // The requests that the page begins with, from JavaScript.
 #[cfg(target_arch = "wasm32")]
 mod wasm_request;
+
+// The requests that need the table of libraries, from JavaScript.
+#[cfg(all(target_arch = "wasm32", feature = "libraries"))]
+mod wasm_library_request;
 
 /// The edge to JavaScript.
 #[cfg(target_arch = "wasm32")]

@@ -7,16 +7,19 @@ use crate::endpoint::{Endpoint, Meaning};
 use crate::library::{Library, family, first_to_act, libraries, stores_columns};
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
-use crate::problem::{Field, Problem, Span, is_too_long};
+use crate::parse::{ParsedRotation, parse_rotation};
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE, is_representable};
 use crate::report::{
-    AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OutOfRange,
-    OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd, plain, rows3,
+    AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OrderSource,
+    OutOfRange, OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd,
+    plain, rows3,
 };
 use crate::request::TranslateRequest;
 use crate::rotation::Rotation;
-use crate::template;
-use std::cmp::Reverse;
+use crate::suggestion::Suggestion;
+use crate::template::{self, Line};
+use nalgebra::Quaternion;
 
 pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, Vec<Problem>> {
     let ends = (
@@ -32,8 +35,12 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
             return Err(found.into_iter().flatten().collect());
         }
     };
-    let pasted = pasted(&request.quaternion);
-    let attitude = attitude(&request.quaternion, &from, pasted);
+    let text = &*request.quaternion;
+    // A text that is too long is nobody's line.
+    let pasted = (text.len() <= MAX_TEXT_BYTES)
+        .then(|| pasted(text))
+        .flatten();
+    let attitude = attitude(text, &from, pasted);
     let (attitude, world, body) = match (attitude, world, body) {
         (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
         (attitude, world, body) => {
@@ -115,23 +122,41 @@ fn attitude(
     };
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);
-    let is_certain = read
-        .as_ref()
-        .is_ok_and(|attitude| !attitude.is_of_unknown_constructor());
-    if is_certain || is_too_long(text) {
+    let is_settled = match &read {
+        Ok(attitude) => !attitude.is_of_unknown_constructor(),
+        Err(problem) => problem.code == ProblemCode::TextTooLong,
+    };
+    if is_settled {
         return read;
     }
     // The library's own line, whatever its form, as the other end of a translation shows it.
     let known = [pasted, from.library].into_iter().flatten();
     let mut lines = known.filter_map(|library| library.code.construct.as_deref());
-    if let Some(named) = lines.find_map(|line| template::read(line, text)) {
-        return Attitude::of_text(&named, Field::Quaternion, declared(from.order));
+    if let Some(line) = lines.find_map(|line| template::read(line, text)) {
+        let read = Attitude::of_text(&line.named, Field::Quaternion, declared(from.order));
+        return read.map_err(|problem| as_typed(problem, &line, text));
     }
     let library = pasted.or(from.library);
     let constructor = library.and_then(|library| library.constructor_order);
     match (read, constructor) {
         (Ok(_), Some(order)) => in_order(order),
         (read, _) => read,
+    }
+}
+
+/// A problem of the numbers of a line, at their places in it.
+fn as_typed(problem: Problem, line: &Line, text: &str) -> Problem {
+    let suggestion = problem.suggestion.and_then(|suggestion| {
+        let text = line.with_numbers(text, &suggestion.text)?;
+        Some(Box::new(Suggestion {
+            text,
+            ..*suggestion
+        }))
+    });
+    Problem {
+        span: line.place(problem.span).unwrap_or(Span::of_trimmed(text)),
+        suggestion,
+        ..problem
     }
 }
 
@@ -173,8 +198,8 @@ fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {
 
 fn axes(text: &str, field: Field) -> Result<AxisMapping, Problem> {
     if is_too_long(text) {
-        let message = "so long a text names no axes".to_owned();
-        return Err(Fault::unknown_axes(Span::of_trimmed(text), message).in_field(field));
+        let fault = Fault::text_too_long(Span::of_trimmed(text), text.len(), MAX_TEXT_BYTES);
+        return Err(fault.in_field(field));
     }
     text.parse::<AxisMapping>().map_err(|unknown| {
         Fault::unknown_axes(Span::of_trimmed(text), unknown.message).in_field(field)
@@ -208,11 +233,37 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
         }),
         construct: code
             .and_then(|code| code.construct.as_deref())
-            .map(|line| template::write(line, &components)),
+            .map(|line| construct(line, &components, meaning)),
         usual: code.and_then(|code| code.rotate.clone().or_else(|| code.matrix.clone())),
         assumed: meaning.assumed.clone(),
         components,
     }
+}
+
+/// The line of code with these numbers. Where the line is nothing but an array, its numbers stand in the
+/// order in which those of this end do, so that the line is read here as what it was written for.
+fn construct(template: &str, components: &Components, meaning: &Meaning) -> String {
+    let line = template::write(template, components);
+    let sample = template::write(
+        template,
+        &Components::of(&told_apart(), ComponentOrder::ScalarFirst),
+    );
+    let read = parse_rotation(&sample, Field::Quaternion, meaning.order);
+    match read {
+        Ok(ParsedRotation::Quaternion(read))
+            if read.unknown_constructor.is_none()
+                && read.order_source == OrderSource::Declared
+                && read.quaternion != told_apart() =>
+        {
+            template::write_in_order(template, components, meaning.order)
+        }
+        _ => line,
+    }
+}
+
+/// Four numbers that no other order leaves as they are.
+const fn told_apart() -> Quaternion<f64> {
+    Quaternion::new(1.0, 2.0, 3.0, 4.0)
 }
 
 fn change_between(from: &Meaning, to: &Meaning) -> Change {
@@ -309,7 +360,7 @@ fn mapped(mapping: AxisMapping) -> MappedAxes {
     }
 }
 
-/// The library whose call stands in the text first: by the longest of the fragments that do.
+/// The library whose call stands in the text first; no fragment begins that of another library.
 fn pasted(text: &str) -> Option<&'static Library> {
     if is_too_long(text) {
         return None;
@@ -319,10 +370,7 @@ fn pasted(text: &str) -> Option<&'static Library> {
     libraries()
         .iter()
         .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
-        .filter_map(|(library, part)| {
-            let part = compact(part);
-            Some((text.find(&part)?, Reverse(part.len()), library))
-        })
-        .min_by_key(|(at, length, _)| (*at, *length))
-        .map(|(_, _, library)| library)
+        .filter_map(|(library, part)| Some((text.find(&compact(part))?, library)))
+        .min_by_key(|(at, _)| *at)
+        .map(|(_, library)| library)
 }

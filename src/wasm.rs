@@ -1,4 +1,4 @@
-//! The edge: only this file and the requests of `wasm_request` know JavaScript exists.
+//! The edge: only this file and those whose names begin with `wasm_` know JavaScript exists.
 //!
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
@@ -7,23 +7,33 @@ use crate::analyze::{compose, read};
 use crate::convention::Convention;
 use crate::problem::{Field, Problem};
 use crate::report::Problems;
+use crate::wasm_members::{Members, Typed, no_such_choice, refused, word};
 use crate::wasm_request::{compose_request, read_request};
-use js_sys::{Reflect, TypeError};
+use crate::wasm_text::{Texts, member_of};
+use js_sys::{Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
+    crate::endpoint::Endpoint,
     crate::identify::identify,
     crate::library::TABLE,
+    crate::report::{IdentifyReport, ObservationReport},
     crate::request::{IdentifyRequest, TranslateRequest},
     crate::translate::translate,
-    serde::de::DeserializeOwned,
+    crate::wasm_library_request::{IDENTIFY, TRANSLATE, identify_request, translate_request},
+    crate::wasm_request::{COMPOSE, READ},
 };
 
 /// The tags of a request and of an outcome.
 const VIEW: &str = "view";
 const STATUS: &str = "status";
+
+#[cfg(feature = "libraries")]
+const VIEWS: [&str; 4] = ["read", "compose", "translate", "identify"];
+#[cfg(not(feature = "libraries"))]
+const VIEWS: [&str; 2] = ["read", "compose"];
 
 /// The named conventions.
 #[derive(Serialize, tsify::Tsify)]
@@ -43,31 +53,44 @@ struct Presets {
 
 /// The answer to a request: a report with notes, or the problems of its texts.
 ///
-/// Spans count UTF-16 units, as `HTMLTextAreaElement.setSelectionRange` does. Throws a `TypeError`
-/// for a request that is not of the type; never for what is typed in its texts.
-#[wasm_bindgen(unchecked_return_type = "Outcome")]
+/// Spans count UTF-16 units, as `HTMLTextAreaElement.setSelectionRange` does. A request that is not of
+/// the type is refused, with a `TypeError` or with what its own members threw; what is typed in its texts
+/// never is. A view that is asked for here need not stand in the request, which must not name another.
+///
+/// It throws nothing: whatever comes out of it as an error is a trap, after which [`start_anew`] is
+/// needed. So the arguments are plain handles, which are taken before the instance is looked at.
+#[wasm_bindgen(unchecked_return_type = "Outcome | { status: \"refused\"; error: unknown }")]
 pub fn analyze(
-    #[wasm_bindgen(unchecked_param_type = "Request")] request: JsValue,
-) -> Result<JsValue, TypeError> {
-    let view = Reflect::get(&request, &VIEW.into()).ok();
-    let view = view.and_then(|view| view.as_string());
-    answer_of(view.as_deref().unwrap_or_default(), &request)
+    #[wasm_bindgen(unchecked_param_type = "unknown")] request: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Request[\"view\"]")] view: JsValue,
+) -> JsValue {
+    answer_of(&request, &view).unwrap_or_else(|error| {
+        let refusal = JsValue::from(Object::new());
+        for (name, value) in [(STATUS, &"refused".into()), ("error", &error)] {
+            // Nothing keeps a new object from having members.
+            Reflect::set(&refusal, &name.into(), value).ok();
+        }
+        refusal
+    })
 }
 
 /// By its tag here, and not by serde through the types of a request and an outcome, which would copy
 /// everything first, and would hold every view where a build answers two.
-fn answer_of(view: &str, request: &JsValue) -> Result<JsValue, TypeError> {
-    match view {
+fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
+    let texts = Texts::default();
+    let members = Members::of_request(request, &texts)?;
+    let view = view_of(&members, view)?;
+    match &*view {
         "read" => {
-            let request = read_request(request)?;
-            answer(view, read(&request), |field| match field {
+            let request = read_request(&members)?;
+            answer(&view, read(&request), &texts, |field| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
             })
         }
         "compose" => {
-            let request = compose_request(request)?;
-            answer(view, compose(&request), |field| match field {
+            let request = compose_request(&members)?;
+            answer(&view, compose(&request), &texts, |field| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
@@ -75,25 +98,46 @@ fn answer_of(view: &str, request: &JsValue) -> Result<JsValue, TypeError> {
         }
         #[cfg(feature = "libraries")]
         "translate" => {
-            let request: TranslateRequest = typed(request)?;
-            answer(view, translate(&request), |field| match field {
+            let request: TranslateRequest = translate_request(&members)?;
+            answer(&view, translate(&request), &texts, |field| match field {
                 Field::WorldAxes => &request.world_axes,
                 Field::BodyAxes => &request.body_axes,
+                Field::From => id_of(&request.from),
+                Field::To => id_of(&request.to),
                 _ => &request.quaternion,
             })
         }
         #[cfg(feature = "libraries")]
         "identify" => {
-            let request: IdentifyRequest = typed(request)?;
+            let request: IdentifyRequest = identify_request(&members)?;
             let report = identify(&request).in_utf16(|field, at| {
                 let probe = request.observations.get(at);
                 probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
             });
-            with_status(view, &report)
+            with_status(&view, &of_whole_texts(report, &texts))
         }
-        _ => Err(TypeError::new(
-            "this is not a request: its view is none of read, compose, translate, identify",
-        )),
+        _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
+    }
+}
+
+/// The view that is asked, which the request need not name where the caller does.
+fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
+    let named = members.value(VIEW)?;
+    let asked = asked.as_string();
+    if let (Some(asked), true) = (&asked, named.is_undefined()) {
+        return Ok(asked.clone());
+    }
+    #[cfg(feature = "libraries")]
+    if named.is_undefined() {
+        // A misspelt `view` is told before it is missed.
+        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY].concat())?;
+    }
+    let named = word(&named, VIEW)?;
+    match asked {
+        Some(asked) if asked != named => Err(refused(&format!(
+            "its `view` is `{named}`, and {asked} was asked"
+        ))),
+        _ => Ok(named),
     }
 }
 
@@ -101,28 +145,49 @@ fn answer_of(view: &str, request: &JsValue) -> Result<JsValue, TypeError> {
 fn answer<'request>(
     view: &str,
     answered: Result<impl Serialize, Vec<Problem>>,
-    text_of: impl Fn(Field) -> &'request String,
-) -> Result<JsValue, TypeError> {
+    texts: &Texts,
+    text_of: impl Fn(Field) -> &'request str,
+) -> Typed<JsValue> {
     match answered {
         Ok(report) => with_status(view, &report),
         Err(problems) => {
-            let problems = Problems { problems }.in_utf16(|field| text_of(field).clone());
-            with_status("problems", &problems)
+            let Problems { problems } =
+                Problems { problems }.in_utf16(|field| text_of(field).to_owned());
+            let problems = problems
+                .into_iter()
+                .map(|problem| {
+                    let member = member_of(problem.field);
+                    texts.of_whole_text(problem, member)
+                })
+                .collect();
+            with_status("problems", &Problems { problems })
         }
     }
 }
 
 #[cfg(feature = "libraries")]
-fn typed<Kind: DeserializeOwned>(request: &JsValue) -> Result<Kind, TypeError> {
-    serde_wasm_bindgen::from_value(request.clone())
-        .map_err(|error| TypeError::new(&format!("this is not a request: {error}")))
+fn id_of(endpoint: &Endpoint) -> &str {
+    match endpoint {
+        Endpoint::Library(endpoint) => &endpoint.id,
+        Endpoint::Convention(_) => "",
+    }
+}
+
+#[cfg(feature = "libraries")]
+fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
+    for (at, observation) in report.observations.iter_mut().enumerate() {
+        if let ObservationReport::Problem(found) = observation {
+            let path = format!("observations[{at}].{}", member_of(found.problem.field));
+            found.problem = texts.of_whole_text(found.problem.clone(), &path);
+        }
+    }
+    report
 }
 
 /// An [`Outcome`](crate::Outcome) as serde would tag it.
-fn with_status(status: &str, report: &impl Serialize) -> Result<JsValue, TypeError> {
+fn with_status(status: &str, report: &impl Serialize) -> Typed<JsValue> {
     let outcome = to_js(report)?;
-    Reflect::set(&outcome, &STATUS.into(), &status.into())
-        .map_err(|_| TypeError::new("a report is an object"))?;
+    Reflect::set(&outcome, &STATUS.into(), &status.into())?;
     Ok(outcome)
 }
 
@@ -155,6 +220,15 @@ pub fn presets() -> Result<JsValue, TypeError> {
 #[wasm_bindgen(js_name = librariesJson)]
 pub fn libraries_json() -> String {
     TABLE.to_owned()
+}
+
+/// Makes the instance anew before the next call; nothing of the old one stays.
+///
+/// After a trap the old one is not to be trusted: its stack stays where it stopped, and a few of these
+/// use it up.
+#[wasm_bindgen(js_name = startAnew)]
+pub fn start_anew() {
+    wasm_bindgen::handler::schedule_reinit();
 }
 
 /// What the last panic said, once; undefined where there was none.

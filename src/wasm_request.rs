@@ -9,93 +9,76 @@ use crate::convention::{
 use crate::euler_sequence::{EulerAxes, EulerFrame, EulerSequence};
 use crate::request::{ComposeRequest, ReadRequest};
 use crate::rotation_matrix::MatrixConvention;
-use js_sys::{Reflect, TypeError};
-use wasm_bindgen::prelude::*;
+use crate::wasm_members::{Members, Typed};
 
-type Typed<Kind> = Result<Kind, TypeError>;
+pub(crate) const READ: [&str; 6] = [
+    "view",
+    "quaternion",
+    "vector",
+    "convention",
+    "matrix",
+    "euler",
+];
+pub(crate) const COMPOSE: [&str; 6] = ["view", "p", "q", "vector", "convention", "matrix"];
 
-pub(crate) fn read_request(request: &JsValue) -> Typed<ReadRequest> {
+pub(crate) fn read_request(request: &Members<'_>) -> Typed<ReadRequest> {
+    request.only(&READ)?;
     Ok(ReadRequest {
-        quaternion: text(request, "quaternion")?,
-        vector: text(request, "vector")?,
-        convention: convention(request)?,
+        quaternion: request.text("quaternion")?,
+        vector: request.text("vector")?,
+        convention: convention(&request.object("convention")?)?,
         matrix: matrix(request)?,
         euler: euler(request)?,
     })
 }
 
-pub(crate) fn compose_request(request: &JsValue) -> Typed<ComposeRequest> {
+pub(crate) fn compose_request(request: &Members<'_>) -> Typed<ComposeRequest> {
+    request.only(&COMPOSE)?;
     Ok(ComposeRequest {
-        p: text(request, "p")?,
-        q: text(request, "q")?,
-        vector: text(request, "vector")?,
-        convention: convention(request)?,
+        p: request.text("p")?,
+        q: request.text("q")?,
+        vector: request.text("vector")?,
+        convention: convention(&request.object("convention")?)?,
         matrix: matrix(request)?,
     })
 }
 
-fn convention(request: &JsValue) -> Typed<Convention> {
+pub(crate) fn convention(members: &Members<'_>) -> Typed<Convention> {
     use {ComponentOrder as Order, Direction as Way, Handedness as Hand, Perturbation as Small};
+    members.only(&[
+        "order",
+        "handedness",
+        "function",
+        "direction",
+        "perturbation",
+    ])?;
     Ok(Convention {
-        order: choice(request, "convention.order", Order::ALL, Order::name)?,
-        handedness: choice(request, "convention.handedness", Hand::ALL, Hand::name)?,
-        function: choice(
-            request,
-            "convention.function",
-            Function::ALL,
-            Function::name,
-        )?,
-        direction: choice(request, "convention.direction", Way::ALL, Way::name)?,
-        perturbation: choice(request, "convention.perturbation", Small::ALL, Small::name)?,
+        order: members.choice("order", Order::ALL, Order::name)?,
+        handedness: members.choice("handedness", Hand::ALL, Hand::name)?,
+        function: members.choice("function", Function::ALL, Function::name)?,
+        direction: members.choice("direction", Way::ALL, Way::name)?,
+        perturbation: members.choice("perturbation", Small::ALL, Small::name)?,
     })
 }
 
-fn matrix(request: &JsValue) -> Typed<MatrixConvention> {
-    if member(request, "matrix").is_undefined() {
+fn matrix(request: &Members<'_>) -> Typed<MatrixConvention> {
+    let Some(members) = request.object_if_any("matrix")? else {
         return Ok(MatrixConvention::default());
-    }
+    };
+    members.only(&["function", "direction"])?;
     Ok(MatrixConvention {
-        function: choice(request, "matrix.function", Function::ALL, Function::name)?,
-        direction: choice(request, "matrix.direction", Direction::ALL, Direction::name)?,
+        function: members.choice("function", Function::ALL, Function::name)?,
+        direction: members.choice("direction", Direction::ALL, Direction::name)?,
     })
 }
 
-fn euler(request: &JsValue) -> Typed<EulerSequence> {
-    if member(request, "euler").is_undefined() {
+fn euler(request: &Members<'_>) -> Typed<EulerSequence> {
+    let Some(members) = request.object_if_any("euler")? else {
         return Ok(EulerSequence::default());
-    }
+    };
+    members.only(&["axes", "frame"])?;
     Ok(EulerSequence {
-        axes: choice(request, "euler.axes", EulerAxes::ALL, EulerAxes::name)?,
-        frame: choice(request, "euler.frame", EulerFrame::ALL, EulerFrame::name)?,
-    })
-}
-
-/// Undefined where there is none.
-fn member(of: &JsValue, path: &str) -> JsValue {
-    path.split('.').fold(of.clone(), |of, name| {
-        Reflect::get(&of, &name.into()).unwrap_or(JsValue::UNDEFINED)
-    })
-}
-
-fn text(request: &JsValue, path: &str) -> Typed<String> {
-    let text = member(request, path).as_string();
-    text.ok_or_else(|| TypeError::new(&format!("this is not a request: no text is its {path}")))
-}
-
-/// The names of JavaScript are in small letters.
-fn choice<Choice: Copy, const COUNT: usize>(
-    request: &JsValue,
-    path: &str,
-    all: [Choice; COUNT],
-    name_of: fn(Choice) -> &'static str,
-) -> Typed<Choice> {
-    let name = text(request, path)?;
-    let chosen = all
-        .into_iter()
-        .find(|&choice| name_of(choice).to_ascii_lowercase() == name);
-    chosen.ok_or_else(|| {
-        TypeError::new(&format!(
-            "this is not a request: its {path} cannot be `{name}`"
-        ))
+        axes: members.choice("axes", EulerAxes::ALL, EulerAxes::name)?,
+        frame: members.choice("frame", EulerFrame::ALL, EulerFrame::name)?,
     })
 }

@@ -3,6 +3,7 @@ import type { Library, Outcome, Request, TranslatedEnd } from "../pkg/quatlas.js
 import wholeUrl from "../pkg/quatlas_bg.wasm?url";
 import * as small from "../pkg/small/quatlas_small.js";
 import smallUrl from "../pkg/small/quatlas_small_bg.wasm?url";
+import { answering, type Core, CoreStopped } from "./package/answering.ts";
 
 export type * from "../pkg/quatlas.js";
 
@@ -29,7 +30,7 @@ export async function loadSmallEngine(): Promise<Engine> {
     views: ["read", "compose"],
     ...small.presets(),
     libraries: [],
-    analyze: (request) => analyze(small, request),
+    analyze: analyzing(small),
     endOf: () => undefined,
   };
 }
@@ -48,13 +49,13 @@ export function loadWholeEngine(): Promise<Engine> {
 async function fetchWholeEngine(): Promise<Engine> {
   const whole = await import("../pkg/quatlas.js");
   await whole.default({ module_or_path: wholeUrl });
-  const analyzeInWhole = (request: Request) => analyze(whole, request);
+  const analyze = analyzing(whole);
   return {
     views: ["read", "compose", "translate", "identify"],
     ...whole.presets(),
     libraries: JSON.parse(whole.librariesJson()),
-    analyze: analyzeInWhole,
-    endOf: remembered((id) => endOf(id, analyzeInWhole)),
+    analyze,
+    endOf: remembered((id) => endOf(id, analyze)),
   };
 }
 
@@ -73,21 +74,14 @@ function remembered<Value>(of: (id: string) => Value): (id: string) => Value {
   };
 }
 
-type Wasm = Pick<typeof small, "analyze" | "takePanicMessage">;
-
-function analyze(core: Wasm, request: Request): Outcome | Failure {
-  try {
-    return core.analyze(request);
-  } catch (error) {
-    return { status: "failure", message: panicMessage(core) ?? String(error) };
-  }
-}
-
-/** What a panic said; the core that panicked may not be able to tell. */
-function panicMessage(core: Wasm): string | undefined {
-  try {
-    return core.takePanicMessage();
-  } catch {
-    return undefined;
-  }
+function analyzing(core: Core): Engine["analyze"] {
+  const answer = answering(core);
+  return (request) => {
+    try {
+      return answer(request);
+    } catch (error) {
+      const message = error instanceof CoreStopped ? error.reason : String(error);
+      return { status: "failure", message };
+    }
+  };
 }

@@ -23,7 +23,7 @@ import "./view/surroundings.css";
 import { releaseOnLeaving } from "./view/hold.ts";
 import { Page } from "./view/Page.tsx";
 import { undoByKey } from "./view/undo_keys.ts";
-import { coreNotLoaded } from "./words/loading.tsx";
+import { coreForbidden, coreNotLoaded } from "./words/loading.tsx";
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
@@ -46,9 +46,17 @@ engine.then(
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
-    root.querySelector("[data-loading]")?.replaceChildren(coreNotLoaded(String(error)));
+    const words = isForbidden(error) ? coreForbidden : coreNotLoaded;
+    root.querySelector("[data-loading]")?.replaceChildren(words(String(error)));
   },
 );
+
+/** Whether a content policy forbids to compile the core: the error is of another type where it cannot be fetched. */
+function isForbidden(error: unknown): boolean {
+  const isOfPolicy = error instanceof WebAssembly.CompileError || error instanceof EvalError;
+  // A file that is damaged does not compile either, and no policy is to blame for it.
+  return isOfPolicy && /unsafe-eval|content security policy|\bCSP\b/i.test(error.message);
+}
 
 /** Without a network on the first visit, the next one tries again. */
 const loadOffline = () =>

@@ -60,7 +60,8 @@ async function takeOver() {
   await self.clients.claim();
   // Another open tab may be of the version before, whose files then stay until the next version.
   const tabs = await self.clients.matchAll({ type: "window", includeUncontrolled: true });
-  if (tabs.length > 1) return;
+  // Those of this page: other pages of the same host use none of these files.
+  if (tabs.filter(({ url }) => url.startsWith(scope)).length > 1) return;
   const names = await caches.keys();
   const old = names.filter((name) => name.startsWith(cachePrefix) && name !== cacheName);
   await Promise.all(old.map((name) => caches.delete(name)));

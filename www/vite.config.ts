@@ -1,11 +1,12 @@
 import { defineConfig, type Plugin } from "vite";
+import { pageLicences } from "./tasks/page_licences.ts";
 import { precache } from "./tasks/precache.ts";
 
 export default defineConfig({
   root: import.meta.dirname,
   // Relative, so that the page can be served from any folder.
   base: "./",
-  plugins: [withoutPolicy(), precache()],
+  plugins: [withoutPolicy(), pageLicences(), precache()],
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,

@@ -28,6 +28,7 @@ const lazyBudgets: Record<string, number> = {
   "icon_maskable_512.png": 7_920,
   "libraries.css": 1_230,
   "library_search.js": 470,
+  "licences.txt": 13_010,
   "manifest.webmanifest": 400,
   "observations.js": 21_670,
   "offline.css": 420,

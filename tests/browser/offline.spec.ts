@@ -93,6 +93,7 @@ test("after one visit the whole page works without a network", async ({ page, co
   const [, list = ""] = worker.match(/const files = (\{.*?\});/s) ?? [];
   const paths = Object.keys(JSON.parse(list));
   expect(paths).toContain("manifest.webmanifest");
+  expect(paths).toContain("licences.txt");
   const missing = await page.evaluate(async (paths) => {
     const answers = await Promise.all(paths.map((path) => fetch(path)));
     return answers.filter(({ ok }) => !ok).map(({ url }) => url);
@@ -166,6 +167,24 @@ test("another tab goes on in the version before, with its parts, until it is rel
   await reloadButton(another).click();
   await expect(description(another)).toHaveAttribute("content", "Version two", aWhile);
   await expect(quaternionField(another)).toHaveValue("0 1 0 0");
+});
+
+test("another page of the same host keeps nothing of the version before", async ({
+  page,
+  context,
+  site,
+}) => {
+  await visit(page);
+  await context.route("**/elsewhere/", (route) =>
+    route.fulfill({ contentType: "text/html", body: "<p>Not of this folder.</p>" }),
+  );
+  const foreign = await context.newPage();
+  await foreign.goto(new URL("/elsewhere/", site.url).href);
+  site.publish("Version two");
+  await page.reload();
+  await expect(newVersion(page)).toBeVisible(aWhile);
+  await reloadIntoNewVersion(page, "Version two");
+  await expect.poll(() => page.evaluate(async () => (await caches.keys()).length), aWhile).toBe(1);
 });
 
 test("a version that is published by half is not kept", async ({ page, site }) => {

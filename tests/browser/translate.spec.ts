@@ -243,6 +243,18 @@ test("an error keeps the last result, with the place marked", async ({ page }) =
   await expect(page.getByRole("status")).toHaveText(/^Problem in q: oops/);
 });
 
+test("a problem in a line of code is marked where it was typed", async ({ page }) => {
+  await page.goto("/#translate?from=eigen");
+  await quaternionField(page).fill("Eigen::Quaterniond q(1e999, 0, 0, 0);");
+  await expect(page.locator("mark")).toHaveText("1e999");
+  // The emoji takes two units of a text field, and four bytes.
+  await page.goto("/#translate?from=drake");
+  await quaternionField(page).fill("🙂 = Quaternion(0, 0, 1e999, 0)");
+  await expect(page.locator("mark")).toHaveText("1e999");
+  await quaternionField(page).fill("q = Quaternion(0, 0, 0, 0)");
+  await expect(page.locator("mark")).toHaveText("q = Quaternion(0, 0, 0, 0)");
+});
+
 test("reloading the address gives the same page", async ({ page }) => {
   await page.goto("/#translate");
   await quaternionField(page).fill("0.5, 0.5, -0.5, 0.5");

@@ -292,7 +292,7 @@ test("a request that is not of its type is a TypeError that names what is wrong"
   });
   assert.throws(() => quatlas.analyze(undefined), {
     name: "TypeError",
-    message: /its view is none/,
+    message: /it is undefined, not an object$/,
   });
   assert.throws(() => quatlas.identify({ observations: [{ probe: "oops" }] }), {
     name: "TypeError",

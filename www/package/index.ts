@@ -11,15 +11,19 @@ import {
   type Problems,
   presets,
   type Request,
+  startAnew,
   type TranslateReport,
   type TranslateRequest,
   takePanicMessage,
 } from "../../pkg/quatlas.js";
 import wasm from "../../pkg/quatlas_bg.wasm?url&inline";
+import { answering } from "./answering.ts";
 
 export type * from "../../pkg/quatlas.js";
 
 initSync({ module: bytesOfDataUrl(wasm) });
+
+const answer = answering({ analyze: analyzeInCore, startAnew, takePanicMessage });
 
 const named = presets();
 
@@ -58,7 +62,8 @@ export const HAMILTON_SCALAR_LAST: Convention = Object.freeze(named.hamiltonScal
  *
  * What is typed never throws: a text that cannot be read comes back as `status: "problems"`, each
  * with a code, a span in UTF-16 units, what was expected and what to try. A `TypeError` says that
- * the request is not of its type.
+ * the request is not of its type: a member that is missing, of another kind, or not known. What a
+ * getter of the request throws is passed on.
  *
  * @example
  * // x y z w of a JPL filter, world to body: a quarter turn about z
@@ -66,13 +71,7 @@ export const HAMILTON_SCALAR_LAST: Convention = Object.freeze(named.hamiltonScal
  * outcome.jpl.image; // [0, -1, 0]: the world's x axis lies along the body's −y
  */
 export function analyze(request: Request): Outcome {
-  try {
-    return analyzeInCore(request);
-  } catch (error) {
-    const panic = takePanicMessage();
-    if (panic === undefined) throw error;
-    throw new Error(`this is a mistake in quatlas, please report it: ${panic}`, { cause: error });
-  }
+  return answer(request);
 }
 
 /**
@@ -87,7 +86,7 @@ export function analyze(request: Request): Outcome {
  * handedness; // "left"
  * rotate; // "R"
  */
-export const libraries: readonly Library[] = Object.freeze(JSON.parse(librariesJson()));
+export const libraries: readonly Library[] = deeplyFrozen(JSON.parse(librariesJson()));
 
 /**
  * One attitude, from one library or convention to another: the numbers at both ends, what was done to
@@ -108,7 +107,7 @@ export const libraries: readonly Library[] = Object.freeze(JSON.parse(librariesJ
 export function translate(
   request: TranslateRequest,
 ): ({ status: "translate" } & TranslateReport) | ({ status: "problems" } & Problems) {
-  return analyze({ view: "translate", ...request }) as ReturnType<typeof translate>;
+  return answer(request, "translate") as ReturnType<typeof translate>;
 }
 
 /**
@@ -125,10 +124,16 @@ export function translate(
  * report.next.code; // "print(Quaternion(0.5, 0.5, 0.5, 0.5).rotate([1, 2, 3]))"
  */
 export function identify(request: IdentifyRequest): IdentifyReport {
-  const { status: _, ...report } = analyze({ view: "identify", ...request }) as {
+  const { status: _, ...report } = answer(request, "identify") as {
     status: "identify";
   } & IdentifyReport;
   return report;
+}
+
+/** The value, in which nothing can be changed: one record serves all who ask for it. */
+function deeplyFrozen<Value>(value: Value): Value {
+  if (typeof value === "object" && value !== null) Object.values(value).forEach(deeplyFrozen);
+  return Object.freeze(value);
 }
 
 function bytesOfDataUrl(url: string): Uint8Array<ArrayBuffer> {

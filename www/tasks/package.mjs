@@ -2,6 +2,7 @@
 // and the types.
 import { copyFileSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { cratesInWasm, licencesText } from "./licences.mjs";
 import { ask, root, Stop, say } from "./shell.mjs";
 
 export async function buildPackage() {
@@ -29,6 +30,9 @@ export async function buildPackage() {
   ];
   writeFileSync(join(out, "index.mjs"), `${esModule.join("\n")}\n`);
   writeTypes(out);
+  // The glue of wasm-bindgen is of the crate of that name.
+  const title = "What is compiled into quatlas: licences and notices.";
+  writeFileSync(join(out, "THIRD_PARTY.txt"), licencesText(title, cratesInWasm()));
   for (const name of ["libraries.json", "observations.json"]) {
     copyFileSync(join(root, "src", name), join(out, name));
   }
@@ -49,5 +53,5 @@ function writeTypes(out) {
   for (const extension of ["d.mts", "d.cts"]) {
     writeFileSync(join(out, `index.${extension}`), withoutLinks(coreTypes) + index);
   }
-  rmSync(join(out, "index.d.ts"));
+  for (const emitted of ["index.d.ts", "answering.d.ts"]) rmSync(join(out, emitted));
 }

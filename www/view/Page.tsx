@@ -70,7 +70,7 @@ export function Page({ store }: { store: Store }) {
       </main>
       <footer class="colophon">
         <p>
-          {words.colophon} <Version />
+          {words.colophon} <Version /> <a href="./licences.txt">{words.licences}</a>
         </p>
       </footer>
       <Status words={[saidOf(state), spoken(store)].join(" ").trim()} of={state} />

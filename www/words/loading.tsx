@@ -8,4 +8,8 @@ export const notLoadedLine = (name: string) =>
 export const retryWord = "try again";
 
 export const coreNotLoaded = (reason: string) =>
-  `The core could not be loaded (${reason}). Reload the page; a strict content policy must allow 'wasm-unsafe-eval'.`;
+  `The core could not be loaded (${reason}). Check the connection and reload the page.`;
+
+/** Where the browser was not allowed to compile it. */
+export const coreForbidden = (reason: string) =>
+  `The core could not be started (${reason}). A content policy of this host forbids it; it must allow 'wasm-unsafe-eval'.`;

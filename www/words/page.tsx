@@ -26,6 +26,8 @@ export const failure = (message: string) => (
 export const colophon =
   "Computed in your browser; nothing you type is sent anywhere. The address of the page holds what you typed: share it as a link.";
 
+export const licences = "Licences";
+
 export const spokenProblem = (
   symbol: string,
   { message, expected, hint }: { message: string; expected: string; hint: string },

@@ -1,0 +1,392 @@
+//! Lines of code at both ends: what one end writes, it reads, and problems stand where they were typed.
+
+mod common;
+
+use common::{assert_close, wasm_bindgen_test};
+use quatlas::{
+    ComponentOrder, Direction, Endpoint, Fact, Field, LibraryEndpoint, Outcome, Problem,
+    ProblemCode, Request, TranslateReport, TranslateRequest, analyze, libraries, library,
+};
+
+const NUMBERS: [f64; 4] = [0.1, 0.7, -0.5, 0.5];
+
+fn end(id: &str, order: Option<ComponentOrder>, direction: Option<Direction>) -> Endpoint {
+    Endpoint::Library(LibraryEndpoint {
+        id: id.to_owned(),
+        order,
+        direction,
+    })
+}
+
+#[track_caller]
+fn translate(text: &str, from: &Endpoint, to: &Endpoint) -> TranslateReport {
+    let request = TranslateRequest::new(text, from.clone(), to.clone());
+    match analyze(&Request::Translate(request)) {
+        Outcome::Translate(report) => *report,
+        other => panic!("{text} from {from:?}: {other:?}"),
+    }
+}
+
+#[track_caller]
+fn between(text: &str, from: &str, to: &str) -> TranslateReport {
+    translate(text, &Endpoint::library(from), &Endpoint::library(to))
+}
+
+fn problems(text: &str, from: &str) -> Vec<Problem> {
+    let ends = [from, "openvins"].map(Endpoint::library);
+    let [from, to] = ends;
+    match analyze(&Request::Translate(TranslateRequest::new(text, from, to))) {
+        Outcome::Problems(found) => found.problems,
+        other => panic!("{text}: {other:?}"),
+    }
+}
+
+/// With an order and a direction of its own, too.
+#[wasm_bindgen_test(unsupported = test)]
+fn every_end_reads_the_line_that_it_writes() {
+    let partner = Endpoint::library("openvins");
+    let orders = [
+        None,
+        Some(ComponentOrder::ScalarFirst),
+        Some(ComponentOrder::ScalarLast),
+    ];
+    let directions = [
+        None,
+        Some(Direction::BodyToWorld),
+        Some(Direction::WorldToBody),
+    ];
+    let mut checked = 0;
+    for library in libraries() {
+        for order in orders {
+            for direction in directions {
+                let here = end(&library.id, order, direction);
+                let there = translate("0.1 0.7 -0.5 0.5", &partner, &here).to;
+                let line = there.construct.clone().expect("every record has a line");
+                let back = translate(&line, &here, &partner);
+                let what = format!("{line} at {here:?}");
+                assert_eq!(back.from.array, there.array, "{what}");
+                assert_close(&what, &back.to.array, &NUMBERS, 1e-15);
+                // Shown as what was pasted, it is the same line.
+                assert_eq!(back.from.construct.as_deref(), Some(&*line), "{what}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked > 700, "{checked}");
+}
+
+/// A constructor keeps the order that it takes; an array that stands alone has that of the end.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_line_that_is_nothing_but_an_array_has_the_order_of_its_end() {
+    let line = |id: &str, order| {
+        let here = end(id, Some(order), None);
+        let report = translate("0.1 0.7 -0.5 0.5", &Endpoint::library("tf2"), &here);
+        report.to.construct.expect("a line")
+    };
+    let (first, last) = (ComponentOrder::ScalarFirst, ComponentOrder::ScalarLast);
+    assert_eq!(line("mujoco", first), "q = np.array([0.5, 0.1, 0.7, -0.5])");
+    assert_eq!(line("mujoco", last), "q = np.array([0.1, 0.7, -0.5, 0.5])");
+    assert_eq!(
+        line("tf-transformations", first),
+        "q = [0.5, 0.1, 0.7, -0.5]"
+    );
+    for order in [first, last] {
+        assert_eq!(
+            line("eigen", order),
+            "Eigen::Quaterniond q(0.5, 0.1, 0.7, -0.5);"
+        );
+        assert_eq!(line("drake", order), "q = Quaternion(0.5, 0.1, 0.7, -0.5)");
+    }
+}
+
+fn marked(text: &str, from: &str) -> (ProblemCode, String) {
+    let [problem] = &problems(text, from)[..] else {
+        panic!("{text}: one problem is expected")
+    };
+    assert_eq!(problem.field, Field::Quaternion);
+    let place = text.get(problem.span.start..problem.span.end);
+    let place = place.unwrap_or_else(|| panic!("{:?} is no place of {text}", problem.span));
+    (problem.code, place.to_owned())
+}
+
+/// In a line that only its own library reads, at the number that is meant, whatever the spaces.
+#[wasm_bindgen_test(unsupported = test)]
+fn problems_of_a_line_stand_where_they_were_typed() {
+    let lines = [
+        ("ahrs", "q = ahrs.Quaternion([{}, 0, 0, 0])"),
+        ("drake", "  q  =  Quaternion( {} , 0,\n 0, 0 )"),
+        ("anise", "q = Quaternion(0, 0, {}, 0, from_id, to_id)"),
+        ("navpy", "🙂, qvec = {}, np.array([0, 0, 0])"),
+        (
+            "mavlink",
+            "ATTITUDE_QUATERNION {q1: 0, q2: 0, q3: {}, q4: 1}",
+        ),
+        ("unity", "var q = new Quaternion(0f, 0f, 0f, {}f);"),
+        ("eigen", "Eigen::Quaterniond q({}, 0, 0, 0);"),
+        (
+            "apple-simd",
+            "let q = simd_quatf(ix: 0, iy: {}, iz: 0, r: 1)",
+        ),
+    ];
+    let long = format!("1{}", "0".repeat(400));
+    for (id, line) in lines {
+        for (number, code) in [
+            ("1e999", ProblemCode::TooLarge),
+            (&*long, ProblemCode::TooLarge),
+            ("-1e-999", ProblemCode::TooSmall),
+        ] {
+            let text = line.replace("{}", number);
+            let (found, place) = marked(&text, id);
+            assert_eq!(found, code, "{text}");
+            assert_eq!(
+                place.trim_start_matches('-'),
+                number.trim_start_matches('-'),
+                "{text}"
+            );
+        }
+        // All four are zero: the whole line is at fault.
+        let text = line
+            .replace("{}", "0")
+            .replace(": 1}", ": 0}")
+            .replace("r: 1)", "r: 0)");
+        assert_eq!(
+            marked(&text, id),
+            (ProblemCode::ZeroQuaternion, text.trim().to_owned())
+        );
+    }
+}
+
+/// What is offered instead is a line like the one that was typed.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_suggestion_for_a_line_is_a_line() {
+    let text = "q =  Quaternion( 0.5, 1e-999, 0.5, 0.5 )";
+    let [problem] = &problems(text, "drake")[..] else {
+        panic!("one problem")
+    };
+    let suggestion = problem.suggestion.clone().expect("a zero");
+    assert_eq!(suggestion.text, "q =  Quaternion( 0.5, 0, 0.5, 0.5 )");
+    assert!(!between(&suggestion.text, "drake", "tf2").from.array[1].is_sign_negative());
+    // Where the rotation of no turn is offered, it is that in the line, too.
+    let [problem] = &problems("q = Quaternion(0, 0, 0, 0)", "drake")[..] else {
+        panic!("one problem")
+    };
+    if let Some(suggestion) = &problem.suggestion {
+        let read = between(&suggestion.text, "drake", "tf2");
+        assert_eq!(read.from.array, [1.0, 0.0, 0.0, 0.0]);
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn two_numbers_with_a_space_between_are_not_one() {
+    for (id, text) in [
+        ("drake", "q = Quaternion(1 0, 0, 0, 0)"),
+        ("anise", "q = Quaternion(0, 1 0, 0, 0, from_id, to_id)"),
+        ("eigen", "Eigen::Quaterniond q(0. 5, 0, 0, 0);"),
+    ] {
+        problems(text, id);
+    }
+}
+
+/// Also where its own line would be read whatever the spaces.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_text_that_is_too_long_is_nobodys_line() {
+    let text = format!("q = Quaternion(0.5,{} 0.5, 0.5, 0.5)", " ".repeat(70_000));
+    assert_eq!(
+        marked(&text, "drake"),
+        (ProblemCode::TextTooLong, text.clone())
+    );
+    let ends = ["drake", "tf2"].map(Endpoint::library);
+    let [from, to] = ends;
+    let axes = format!("{}y x -z", " ".repeat(70_000));
+    let request = TranslateRequest {
+        world_axes: axes.clone(),
+        ..TranslateRequest::new("1 0 0 0", from, to)
+    };
+    let Outcome::Problems(found) = analyze(&Request::Translate(request)) else {
+        panic!("the axes are too long")
+    };
+    let [problem] = &found.problems[..] else {
+        panic!("one problem")
+    };
+    assert_eq!(
+        (problem.code, problem.field),
+        (ProblemCode::TextTooLong, Field::WorldAxes)
+    );
+    assert_eq!(&axes[problem.span.start..problem.span.end], "y x -z");
+}
+
+/// The line and the order are those of the library whose call was pasted, not of the one that was chosen.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_pasted_call_is_read_as_its_own_library_does() {
+    // Both write a Quaternion; that of UnityQuaternion takes the scalar last, that of drake first.
+    let text = "from UnityQuaternion import Quaternion; q = Quaternion(0, 0, 0.6, 0.8)";
+    let own = between("0 0 0.6 0.8", "unityquaternionpy", "tf2");
+    assert_eq!(own.to.array, [0.0, 0.0, 0.6, 0.8]);
+    let report = between(text, "drake", "tf2");
+    assert_eq!(report.proposed.as_deref(), Some("unityquaternionpy"));
+    assert_eq!(report.to.array, [0.0, 0.0, 0.6, 0.8]);
+    // A call whose order is not known here: that of the constructor of the pasted library counts.
+    let call = "manif::SO3d(Quaternion(0, 0, 0.6, 0.8))";
+    assert_eq!(
+        library("manif").expect("a record").constructor_order,
+        Some(ComponentOrder::ScalarLast)
+    );
+    let report = between(call, "drake", "tf2");
+    assert_eq!(report.proposed.as_deref(), Some("manif"));
+    assert_eq!(report.to.array, [0.0, 0.0, 0.6, 0.8]);
+}
+
+/// So the place of a fragment in a text tells the library, and no length has to.
+#[wasm_bindgen_test(unsupported = test)]
+fn no_fragment_of_a_library_begins_that_of_another() {
+    let compact = |text: &String| text.split_whitespace().collect::<String>();
+    for one in libraries() {
+        for other in libraries().iter().filter(|other| other.id != one.id) {
+            for (long, short) in one
+                .pasted
+                .iter()
+                .flat_map(|long| other.pasted.iter().map(move |short| (long, short)))
+            {
+                let begins = compact(long).starts_with(&compact(short));
+                assert!(!begins, "{long} of {} and {short} of {}", one.id, other.id);
+            }
+        }
+    }
+    // Where several stand in a text, the first counts.
+    let first = between(
+        "tf2::Quaternion q(0, 0, 0.6, 0.8); // Sophus::SO3",
+        "eigen",
+        "three",
+    );
+    assert_eq!(first.proposed.as_deref(), Some("tf2"));
+    let first = between(
+        "Sophus::SO3d q(tf2::Quaternion(0, 0, 0.6, 0.8));",
+        "eigen",
+        "three",
+    );
+    assert_eq!(first.proposed.as_deref(), Some("sophus"));
+}
+
+/// A convention is no library, so any library is proposed beside it.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_library_is_proposed_for_a_convention_too() {
+    let text = "Eigen::Quaterniond q(0.8, 0, 0, 0.6);";
+    let hamilton = Endpoint::convention(quatlas::Convention::HAMILTON);
+    let report = translate(text, &hamilton, &Endpoint::library("tf2"));
+    assert_eq!(report.proposed.as_deref(), Some("eigen"));
+    let plain = translate("0.8 0 0 0.6", &hamilton, &Endpoint::library("tf2"));
+    assert_eq!(plain.proposed, None);
+}
+
+/// Of the call that rotates and the one that makes the matrix, the first is shown where there is one.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_usual_call_rotates_a_vector() {
+    let mut seen = [0, 0, 0];
+    for library in libraries() {
+        let usual = between("0.1 0.7 -0.5 0.5", "openvins", &library.id)
+            .to
+            .usual;
+        let (rotate, matrix) = (&library.code.rotate, &library.code.matrix);
+        assert_eq!(
+            usual.as_ref(),
+            rotate.as_ref().or(matrix.as_ref()),
+            "{}",
+            library.id
+        );
+        seen[usize::from(rotate.is_some()) + usize::from(rotate.is_some() && matrix.is_some())] +=
+            1;
+    }
+    assert!(seen[2] > 0, "some have both: {seen:?}");
+}
+
+/// Lists of lists may be columns where the language stores them so; rows on lines of their own are rows.
+#[wasm_bindgen_test(unsupported = test)]
+fn only_lists_of_lists_may_be_columns() {
+    let says_so = |text: &str, from: &str| {
+        let notes = between(text, from, "scipy").notes;
+        let mut facts = notes.iter().map(|note| &note.fact);
+        facts.any(|fact| matches!(fact, Fact::RowsAssumed(_)))
+    };
+    let lists = "[[0, 0.8, -0.6], [-0.6, 0.48, 0.64], [0.8, 0.36, 0.48]]";
+    let lines = "0 0.8 -0.6\n-0.6 0.48 0.64\n0.8 0.36 0.48";
+    for (id, stores_columns) in [
+        ("cglm", true),
+        ("nasa-42", true),
+        ("eigen", true),
+        ("nalgebra", true),
+        ("scipy", false),
+        ("three", false),
+        ("orekit", false),
+        ("matlab-aerospace", false),
+    ] {
+        assert_eq!(says_so(lists, id), stores_columns, "{id}");
+        assert!(!says_so(lines, id), "{id}");
+    }
+}
+
+/// The turn is that of what was typed, on the axes on which it was typed.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_turn_is_that_of_the_first_end() {
+    let [from, to] = ["tf2", "eigen"].map(Endpoint::library);
+    let request = TranslateRequest {
+        body_axes: "FRD to FLU".to_owned(),
+        ..TranslateRequest::new("0 0 0.6 0.8", from, to)
+    };
+    let Outcome::Translate(report) = analyze(&Request::Translate(request)) else {
+        panic!("it is read")
+    };
+    assert_close(
+        "the axis",
+        &report.turn.axis.expect("a turn"),
+        &[0.0, 0.0, 1.0],
+        1e-15,
+    );
+    // cos θ/2 = 0.8, so cos θ = 2 · 0.64 − 1.
+    assert!((report.turn.angle_rad - 0.28_f64.acos()).abs() < 1e-15);
+}
+
+/// New axes make other numbers that are as long as those that were typed, however long these are.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_change_of_axes_keeps_any_norm() {
+    let [from, to] = ["tf2", "eigen"].map(Endpoint::library);
+    for norm in [0.01, 0.8, 0.999, 1.001, 1.3, 1.6, 40.0] {
+        let text = format!("0 0 {:?} {:?}", 0.6 * norm, 0.8 * norm);
+        for axes in ["FRD to FLU", "y z x"] {
+            let request = TranslateRequest {
+                world_axes: axes.to_owned(),
+                body_axes: axes.to_owned(),
+                ..TranslateRequest::new(&text, from.clone(), to.clone())
+            };
+            let Outcome::Translate(report) = analyze(&Request::Translate(request)) else {
+                panic!("it is read")
+            };
+            let squares = report.to.array.iter().map(|number| number * number);
+            let got = squares.sum::<f64>().sqrt();
+            assert!(
+                (got - norm).abs() <= 4.0 * f64::EPSILON * norm,
+                "{norm}: {got}"
+            );
+        }
+    }
+}
+
+/// The array is passed on to a constructor of the other order only where it stands as it did before:
+/// numbers that were reordered are told by that mistake already.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_order_of_a_constructor_is_a_mistake_of_its_own() {
+    use quatlas::MistakeKind::ConstructorOrder;
+    let has = |from: &str, to: &Endpoint| {
+        let report = translate("0.1 0.7 -0.5 0.5", &Endpoint::library(from), to);
+        report
+            .mistakes
+            .iter()
+            .any(|mistake| mistake.kind == ConstructorOrder)
+    };
+    let eigen = Endpoint::library("eigen");
+    // x y z w in both arrays, and Eigen's constructor takes w first.
+    assert!(has("tf2", &eigen));
+    // w first from drake: the array of Eigen is another one, so it is not what would be passed.
+    assert!(!has("drake", &eigen));
+    let as_constructed = end("eigen", Some(ComponentOrder::ScalarFirst), None);
+    assert!(!has("drake", &as_constructed) && !has("tf2", &as_constructed));
+}

@@ -146,3 +146,9 @@ export function shownAxis(axis: readonly number[], digits: Digits): string {
   const named = axisNames.find(([, unit]) => unit.every((number, at) => number === axis[at]));
   return named?.[0] ?? shownArray(axis, digits);
 }
+
+/** A norm that differs from 1 by more than rounding is said, and not taken for that of a unit quaternion. */
+const roundingOfNorm = 1e-14;
+
+export const isNormOne = (norm: number | undefined) =>
+  norm !== undefined && Math.abs(norm - 1) <= roundingOfNorm;

@@ -11,9 +11,9 @@ test("the product matrices are those of the four numbers as typed", async ({ pag
   await expect(matrix(page, "R(q)")).toBeVisible();
   await openEverything(page);
   // Yoosefian 2021, eq. 7.
-  expect(await numbersOf(matrix(page, "Hamilton left product matrix"))).toEqual(
-    [1, -2, -3, -4, 2, 1, -4, 3, 3, 4, 1, -2, 4, -3, 2, 1],
-  );
+  expect(await numbersOf(matrix(page, "Hamilton left product matrix"))).toEqual([
+    1, -2, -3, -4, 2, 1, -4, 3, 3, 4, 1, -2, 4, -3, 2, 1,
+  ]);
   const products = page.getByRole("region", { name: "Hamilton" }).locator(".products");
   await expect(products).toContainText("on [w, x, y, z], of q with its norm");
   await page.getByRole("textbox", { name: "quaternion q" }).fill("1 0 0 0");

@@ -24,12 +24,6 @@ export interface CopiedQuaternion {
   matrix?: Rows;
 }
 
-/** A norm that differs from 1 by more than rounding is said, and not taken for that of a unit quaternion. */
-const roundingOfNorm = 1e-14;
-
-export const isNormOne = (norm: number | undefined) =>
-  norm !== undefined && Math.abs(norm - 1) <= roundingOfNorm;
-
 export interface CopiedMatrix {
   kind: "matrix";
   symbol: string;

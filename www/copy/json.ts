@@ -1,12 +1,7 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
+import { isNormOne } from "../format.ts";
 import { directionWords, productWords, says, sequenceLetters, takesWords } from "../words/copy.ts";
-import {
-  type Copied,
-  type CopiedQuaternion,
-  directionOfAction,
-  directionOfR,
-  isNormOne,
-} from "./copied.ts";
+import { type Copied, type CopiedQuaternion, directionOfAction, directionOfR } from "./copied.ts";
 import { ordered } from "./numbers.ts";
 
 /** Where a copied value comes from. */

@@ -1,5 +1,5 @@
 // Rust with nalgebra.
-import { isNormOne } from "./copied.ts";
+import { isNormOne } from "../format.ts";
 import { factors, float, listed, scalarFirst } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 

@@ -1,7 +1,8 @@
 // What copied code says of itself. It goes into source files: plain ASCII.
-import { type Copied, type CopiedEuler, type CopiedQuaternion, isNormOne } from "../copy/copied.ts";
+import type { Copied, CopiedEuler, CopiedQuaternion } from "../copy/copied.ts";
 import type { CodeFormat } from "../copy/formats.ts";
 import type { ComponentOrder, Convention, Direction } from "../engine.ts";
+import { isNormOne } from "../format.ts";
 
 const letters: Record<ComponentOrder, string> = {
   "scalar-first": "w x y z",

@@ -208,3 +208,11 @@ fn a_line_is_read_where_it_was_printed() {
         check_line(numbers, &from, &to)
     });
 }
+
+#[test]
+fn a_line_of_an_order_of_its_own_is_read_where_it_was_printed() {
+    let to = with_an_order_of_their_own().prop_map(Endpoint::Library);
+    for_all(CASES, (numbers(), ends(), to), |(numbers, from, to)| {
+        check_line(numbers, &from, &to)
+    });
+}

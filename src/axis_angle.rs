@@ -138,7 +138,7 @@ impl Rotation {
     }
 
     /// The vector part of q or of −q, whichever has a scalar that is not negative.
-    fn shorter_vector_part(&self) -> Vector3<f64> {
+    pub(crate) fn shorter_vector_part(&self) -> Vector3<f64> {
         let q = self.canonical();
         let vector: Vector3<f64> = q.vector().into();
         if q.w < 0.0 { -vector } else { vector }

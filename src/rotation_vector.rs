@@ -151,10 +151,10 @@ impl Rotation {
     #[doc(alias("MRP", "stereographic"))]
     pub fn modified_rodrigues_parameters(&self) -> Vector3<f64> {
         let q = self.canonical();
-        let vector: Vector3<f64> = q.vector().into();
         let norm = Norm::of(q.coords.as_slice()).value();
         let denominator = norm + q.w.abs();
-        vector.map(|number| (number / denominator) * q.w.signum())
+        self.shorter_vector_part()
+            .map(|number| number / denominator)
     }
 }
 

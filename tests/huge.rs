@@ -38,10 +38,10 @@ fn read_and_compose_answer_a_huge_text() {
         let text = huge(pattern);
         let long = ProblemCode::TextTooLong;
         let request = read_request(&text, &text, Convention::HAMILTON);
-        assert_eq!(codes(&request, &[&text; 2]), [long; 2], "{pattern:?}");
+        assert_eq!(codes(&request, &[&text[..]; 2]), [long; 2], "{pattern:?}");
         let request = ComposeRequest::new(&text, &text, &text, Convention::JPL);
         assert_eq!(
-            codes(&Request::Compose(request), &[&text; 3]),
+            codes(&Request::Compose(request), &[&text[..]; 3]),
             [long; 3],
             "{pattern:?}"
         );
@@ -71,7 +71,7 @@ fn translate_answers_a_huge_text() {
         of_axes.world_axes.clone_from(&text);
         of_axes.body_axes.clone_from(&text);
         assert_eq!(
-            codes(&Request::Translate(of_axes), &[&text; 2]),
+            codes(&Request::Translate(of_axes), &[&text[..]; 2]),
             [ProblemCode::TextTooLong; 2]
         );
     }

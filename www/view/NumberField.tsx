@@ -116,7 +116,7 @@ export function NumberField({
           // The window lost the focus, and the field keeps it within the window.
           if (event.currentTarget === document.activeElement) return;
           setEdited(false);
-          event.currentTarget.style.translate = "none";
+          event.currentTarget.style.left = "0";
           store.step();
           const next = event.relatedTarget;
           if (!(next instanceof HTMLInputElement && next.dataset["group"] === group.id))
@@ -148,10 +148,10 @@ function select(field: HTMLInputElement, text: string) {
 function keepWithin(field: HTMLInputElement) {
   const within = field.closest(".matrix-scroll, #page")?.getBoundingClientRect();
   if (within === undefined) return;
-  field.style.translate = "none";
+  field.style.left = "0";
   field.style.maxWidth = `${within.width}px`;
   const beyond = field.getBoundingClientRect().right - within.right;
-  if (beyond > 0) field.style.translate = `${-beyond}px`;
+  if (beyond > 0) field.style.left = `${-beyond}px`;
 }
 
 function directionOf(key: string): 1 | -1 | undefined {

@@ -11,14 +11,21 @@ export async function keepOffline() {
     ?.register("./service_worker.js", { updateViaCache: "none" })
     .catch(() => undefined);
   if (!registration) return;
-  // Without a controller it is the first version that is being installed.
-  const sayWhenReady = () => {
-    if (registration.waiting && workers.controller) sayReady(registration);
+  // A first version takes over at once. That it waits for a moment is seen by some browsers only when
+  // it is in control already: so what counts is what was there when it was found.
+  const sayWhenWaiting = (found: ServiceWorker | null) => {
+    const { active } = registration;
+    if (found === null || active === null || active === found) return;
+    const sayIfWaiting = () => found.state === "installed" && sayReady(registration);
+    found.addEventListener("statechange", sayIfWaiting);
+    sayIfWaiting();
   };
-  registration.addEventListener("updatefound", () => {
-    registration.installing?.addEventListener("statechange", sayWhenReady);
-  });
-  sayWhenReady();
+  const look = () => {
+    sayWhenWaiting(registration.waiting);
+    sayWhenWaiting(registration.installing);
+  };
+  registration.addEventListener("updatefound", look);
+  look();
 }
 
 const lineId = "new-version";

@@ -20,7 +20,7 @@ const choices = {
 type Setting = keyof typeof choices;
 type Chosen<Name extends Setting> = (typeof choices)[Name][number];
 
-// theme.js reads the same key.
+// first.js reads the same key.
 const keyOf = (setting: Setting) => `quatlas-${setting}`;
 
 /** What was chosen; nothing where nothing was, or where a former or foreign value stands. */

@@ -51,3 +51,36 @@ test("a matrix that goes on says on which side", async ({ page }) => {
   await page.setViewportSize({ width: 1280, height: 800 });
   await expect(frame).toHaveAttribute("data-hidden", "");
 });
+
+for (const deviceScaleFactor of [1, 1.5, 2, 3]) {
+  test.describe(() => {
+    test.use({ deviceScaleFactor });
+    test(`nothing is drawn round a matrix that has room, ${deviceScaleFactor} pixels each`, async ({
+      page,
+    }) => {
+      await page.goto("/");
+      await expect(matrix(page, "R(q)")).toBeVisible();
+      const frames = page.locator(".matrix-scroll");
+      await frames.locator("table").evaluateAll((tables: HTMLElement[]) => {
+        for (const table of tables) table.style.visibility = "hidden";
+      });
+      for (const frame of await frames.filter({ visible: true }).all()) {
+        const image = (await frame.screenshot()).toString("base64");
+        expect(await page.evaluate(coloursOf, image)).toHaveLength(1);
+      }
+    });
+  });
+}
+
+/** The colours of an image. To be run in the page. */
+async function coloursOf(base64: string): Promise<number[]> {
+  const image = new Image();
+  image.src = `data:image/png;base64,${base64}`;
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [image.width, image.height];
+  const pen = canvas.getContext("2d");
+  pen?.drawImage(image, 0, 0);
+  const pixels = pen?.getImageData(0, 0, image.width, image.height).data.buffer;
+  return [...new Set(new Uint32Array(pixels ?? new ArrayBuffer(0)))];
+}

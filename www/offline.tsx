@@ -13,16 +13,12 @@ export async function keepOffline() {
   if (!registration) return;
   // A first version takes over at once. That it waits for a moment is seen by some browsers only when
   // it is in control already: so what counts is what was there when it was found.
-  const sayWhenWaiting = (found: ServiceWorker | null) => {
-    const { active } = registration;
-    if (found === null || active === null || active === found) return;
-    const sayIfWaiting = () => found.state === "installed" && sayReady(registration);
-    found.addEventListener("statechange", sayIfWaiting);
-    sayIfWaiting();
-  };
   const look = () => {
-    sayWhenWaiting(registration.waiting);
-    sayWhenWaiting(registration.installing);
+    if (!registration.active || registration.active === registration.waiting) return;
+    const sayIfWaiting = () =>
+      registration.waiting?.state === "installed" && sayReady(registration);
+    registration.installing?.addEventListener("statechange", sayIfWaiting);
+    sayIfWaiting();
   };
   registration.addEventListener("updatefound", look);
   look();

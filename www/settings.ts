@@ -57,6 +57,15 @@ export function chooseTheme(chosen: Theme) {
   showTheme();
 }
 
+/** The theme that is chosen in another tab is that of this one too. */
+export function followTheme() {
+  addEventListener("storage", ({ key }) => {
+    if (key !== null && key !== keyOf("theme")) return;
+    theme.value = remembered("theme") ?? "system";
+    showTheme();
+  });
+}
+
 export function chooseDigits(store: Store, digits: Digits) {
   store.set({ digits });
   remember("digits", digits);

@@ -61,6 +61,17 @@ test("the unit of angles follows the choice wherever an angle stands, and the ad
   await expect(page.locator(".notes")).toContainText("a rotation 2.14 rad away");
 });
 
+test("the theme that is chosen in one tab is that of the others", async ({ page, context }) => {
+  await page.emulateMedia({ colorScheme: "light" });
+  await page.goto("/");
+  const another = await context.newPage();
+  await another.goto("/");
+  await another.getByRole("button", { name: /^Theme/ }).click();
+  await another.close();
+  await expect(page.getByRole("button", { name: "Theme: dark" })).toBeVisible();
+  expect(await paper(page)).toBe(dark);
+});
+
 test("a bare address remembers the numbers' settings, a link does not", async ({ page }) => {
   await page.goto("/");
   await radio(page, "4").check();
@@ -320,6 +331,8 @@ test("what only colours say is said by lines where colours are forced", async ({
   expect(await outline(".switch-choice.jpl")).toBe("none");
   expect(await outline(".choice label:has([value=degrees])")).toBe("solid");
   expect(await outline(".choice label:has([value=radians])")).toBe("none");
+  const edges = (node: Element) => getComputedStyle(node).borderStyle;
+  expect(await page.locator(".picture").evaluate(edges)).toBe("solid");
   await page.goto("/#translate");
   // A bar differs from the track under it.
   const bar = page.locator(".mistake-bar").first();

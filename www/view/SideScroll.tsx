@@ -1,19 +1,20 @@
-// What may be wider than its place: it scrolls sideways, and signs at its edges say where it goes on.
+// The numbers of a matrix, which may be wider than their place: they scroll sideways as a whole, and
+// signs at the edges say where they go on.
 import type { ComponentChild } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import type { Digits } from "../address.ts";
 
 /** Of a scroll position, which engines round. */
 const onePixel = 1;
 
 export function SideScroll({
   name,
-  kind,
+  digits,
   children,
 }: {
   /** For screen readers. */
   name: string;
-  /** Its classes. */
-  kind: string;
+  digits: Digits;
   children: ComponentChild;
 }) {
   const frame = useRef<HTMLElement>(null);
@@ -35,7 +36,7 @@ export function SideScroll({
     <div class="side-scroll" data-hidden={hidden}>
       <section
         ref={frame}
-        class={kind}
+        class={`matrix-scroll digits-${digits}`}
         aria-label={name}
         onScroll={look}
         // Where it scrolls the arrow keys reach all of it, or the Tab key does if it has fields.

@@ -94,7 +94,7 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
         <Copy of={name} text={exactRows(rows)} value={value} />
       </figcaption>
-      <SideScroll name={rowByRow(name)} kind={`matrix-scroll digits-${digits}`}>
+      <SideScroll name={rowByRow(name)} digits={digits}>
         <table aria-label={name}>
           <tbody>
             {cells.map((row, at) => (

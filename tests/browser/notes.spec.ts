@@ -253,7 +253,7 @@ test("in Translate a text is mended in its own field", async ({ page }) => {
   await expect(quaternionField(page)).toHaveValue("[0.1, -0.2, 0.4, 0.9]");
 });
 
-for (const width of [1280, 320]) {
+for (const width of [1280, 360]) {
   test(`nothing below moves when notes and problems come, ${width} px wide`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await page.goto("/");

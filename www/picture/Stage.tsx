@@ -35,15 +35,10 @@ interface Held {
  * say of touches does not hold for a part of a drawing in every browser. What a finger touched first
  * hears of it until it is lifted, also when a turn has taken it out of the drawing.
  */
-function keepFinger(touched: Element, isTurning: () => boolean) {
-  const over = new AbortController();
-  const keep = (event: Event) => {
-    if (isTurning() && (event as TouchEvent).touches.length === 1) event.preventDefault();
+function keepFinger(touched: SVGElement, isTurning: () => boolean) {
+  touched.ontouchmove = (event) => {
+    if (isTurning() && event.touches.length === 1) event.preventDefault();
   };
-  touched.addEventListener("touchmove", keep, { passive: false, signal: over.signal });
-  for (const end of ["touchend", "touchcancel"]) {
-    touched.addEventListener(end, () => over.abort(), { signal: over.signal });
-  }
 }
 
 export function Stage({
@@ -136,7 +131,7 @@ export function Stage({
         event.currentTarget.setPointerCapture(event.pointerId);
       }}
       onTouchStart={({ target }) =>
-        keepFinger(target as Element, () => held.current?.turns === "body")
+        keepFinger(target as SVGElement, () => held.current?.turns === "body")
       }
       onPointerMove={(event) => {
         const from = held.current;

@@ -59,9 +59,10 @@ export function shownArray(numbers: readonly number[], digits: Digits): string {
   return `[${numbers.map((number) => shown(number, digits, largest)).join(", ")}]`;
 }
 
-const figureSpace = "\u2007";
-
-/** Cells of a matrix, padded so that the decimal points of each column stand below each other. */
+/**
+ * Cells of a matrix, padded so that the decimal points of each column stand below each other: with the
+ * plain space, which every font has as wide as a digit if its digits are all of one width.
+ */
 export function alignedRows(rows: readonly (readonly number[])[], digits: Digits): string[][] {
   const largest = largestOf(rows.flat());
   const cells = rows.map((row) =>
@@ -70,12 +71,10 @@ export function alignedRows(rows: readonly (readonly number[])[], digits: Digits
   const widths = (part: 0 | 1, column: number) =>
     Math.max(...cells.map((row) => row[column]?.[part].length ?? 0));
   return cells.map((row) =>
-    row.map(([whole, fraction], column) => {
-      return (
-        whole.padStart(widths(0, column), figureSpace) +
-        fraction.padEnd(widths(1, column), figureSpace)
-      );
-    }),
+    row.map(
+      ([whole, fraction], column) =>
+        whole.padStart(widths(0, column)) + fraction.padEnd(widths(1, column)),
+    ),
   );
 }
 

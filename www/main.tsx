@@ -4,7 +4,7 @@ import { fromFragment } from "./address.ts";
 import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./keep_address.ts";
 import { isLazy } from "./lazy_views.ts";
-import { showTheme } from "./settings.ts";
+import { followTheme, showTheme } from "./settings.ts";
 import { startShortcuts } from "./shortcuts.ts";
 import { createStore } from "./state.ts";
 import "./style.css";
@@ -42,6 +42,7 @@ engine.then(
     releaseOnLeaving();
     undoByKey(store);
     showTheme();
+    followTheme();
     startShortcuts(store);
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },

@@ -11,14 +11,17 @@ export async function keepOffline() {
     ?.register("./service_worker.js", { updateViaCache: "none" })
     .catch(() => undefined);
   if (!registration) return;
-  // Without a controller it is the first version that is being installed.
-  const sayWhenReady = () => {
-    if (registration.waiting && workers.controller) sayReady(registration);
+  // A first version takes over at once. That it waits for a moment is seen by some browsers only when
+  // it is in control already: so what counts is what was there when it was found.
+  const look = () => {
+    if (!registration.active || registration.active === registration.waiting) return;
+    const sayIfWaiting = () =>
+      registration.waiting?.state === "installed" && sayReady(registration);
+    registration.installing?.addEventListener("statechange", sayIfWaiting);
+    sayIfWaiting();
   };
-  registration.addEventListener("updatefound", () => {
-    registration.installing?.addEventListener("statechange", sayWhenReady);
-  });
-  sayWhenReady();
+  registration.addEventListener("updatefound", look);
+  look();
 }
 
 const lineId = "new-version";

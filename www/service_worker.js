@@ -33,13 +33,16 @@ function pathOf({ method, url }) {
 }
 
 async function kept(request, path) {
-  const cache = await caches.open(cacheName);
-  return (await cache.match(scope + path, anyVariant)) ?? fetch(request);
+  const file = caches.open(cacheName).then((cache) => cache.match(scope + path, anyVariant));
+  return (await file.catch(nothing)) ?? fetch(request);
 }
 
 async function keptByAny(request) {
-  return (await caches.match(request, anyVariant)) ?? fetch(request);
+  return (await caches.match(request, anyVariant).catch(nothing)) ?? fetch(request);
 }
+
+/** Of a store that fails, on a full disk or in a damaged profile: then the network answers. */
+const nothing = () => undefined;
 
 async function keepFiles() {
   const cache = await caches.open(cacheName);

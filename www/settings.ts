@@ -20,7 +20,7 @@ const choices = {
 type Setting = keyof typeof choices;
 type Chosen<Name extends Setting> = (typeof choices)[Name][number];
 
-// theme.js reads the same key.
+// first.js reads the same key.
 const keyOf = (setting: Setting) => `quatlas-${setting}`;
 
 /** What was chosen; nothing where nothing was, or where a former or foreign value stands. */
@@ -55,6 +55,15 @@ export function chooseTheme(chosen: Theme) {
   theme.value = chosen;
   remember("theme", chosen);
   showTheme();
+}
+
+/** The theme that is chosen in another tab is that of this one too. */
+export function followTheme() {
+  addEventListener("storage", ({ key }) => {
+    if (key !== null && key !== keyOf("theme")) return;
+    theme.value = remembered("theme") ?? "system";
+    showTheme();
+  });
 }
 
 export function chooseDigits(store: Store, digits: Digits) {

@@ -138,10 +138,10 @@ test("turning the body is said once, when it rests", async ({ page }) => {
 });
 
 for (const view of views) {
-  test(`${view} fits 360 px, and 1280 px at 200 %, with all digits and everything open`, async ({
+  test(`${view} fits 320 px, and 1280 px at 200 %, with all digits and everything open`, async ({
     page,
   }) => {
-    for (const width of [360, 640]) {
+    for (const width of [320, 640]) {
       await page.setViewportSize({ width, height: 800 });
       for (const address of [view, `${view}?digits=all&unit=rad`]) {
         await open(page, address);

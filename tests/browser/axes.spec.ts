@@ -180,7 +180,7 @@ for (const fragment of [
 }
 
 test("nothing is wider than a phone with everything open", async ({ page }) => {
-  await page.setViewportSize({ width: 360, height: 740 });
+  await page.setViewportSize({ width: 320, height: 740 });
   await page.goto("/#read?handedness=left&quaternion=ZYX+30+90+10&digits=all");
   for (const summary of await page.locator("summary").all()) await summary.click();
   const excess = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

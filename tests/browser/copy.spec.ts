@@ -102,14 +102,14 @@ test("a format that cannot say a value is not offered", async ({ page }) => {
 test("the menu stays inside a small window and closes when the page is touched", async ({
   page,
 }) => {
-  await page.setViewportSize({ width: 360, height: 640 });
+  await page.setViewportSize({ width: 320, height: 640 });
   await page.goto("/");
   for (const of of ["R(q)", "Hamilton q", "minus q"]) {
     await menuOf(page, of).click();
     const box = await page.getByRole("menu").boundingBox();
     expect(box?.x).toBeGreaterThanOrEqual(0);
     expect(box?.y).toBeGreaterThanOrEqual(0);
-    expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(360);
+    expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(320);
     expect((box?.y ?? 0) + (box?.height ?? 0)).toBeLessThanOrEqual(640);
     await page.mouse.click(2, (box?.y ?? 0) > 300 ? 2 : 638);
     await expect(page.getByRole("menu")).toHaveCount(0);

@@ -304,7 +304,7 @@ for (const [name, fragment] of Object.entries(states)) {
   }
 
   test(`nothing is wider than a phone: ${name}`, async ({ page }) => {
-    await page.setViewportSize({ width: 360, height: 740 });
+    await page.setViewportSize({ width: 320, height: 740 });
     await page.goto(`/#${fragment}`);
     await expect(page.locator(".choices")).toBeVisible();
     await openEverything(page);

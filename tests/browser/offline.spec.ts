@@ -253,3 +253,27 @@ test("the page can be installed: its manifest is whole and its icons have their 
   const { errors } = await session.send("Page.getAppManifest");
   expect(errors).toEqual([]);
 });
+
+test("a store that fails does not stand between the page and the network", async ({
+  page,
+  site,
+}) => {
+  const path = join(site.folder, "service_worker.js");
+  const worker = readFileSync(path, "utf8");
+  // As on a full disk or in a damaged profile, from the moment that it is told to.
+  const breaking = `
+    addEventListener("message", ({ data }) => {
+      if (data !== "break the store") return;
+      CacheStorage.prototype.open = CacheStorage.prototype.match = async () => {
+        throw new DOMException("Internal error.", "UnknownError");
+      };
+    });`;
+  writeFileSync(path, breaking + worker);
+  await visit(page);
+  await page.evaluate(() => navigator.serviceWorker.controller?.postMessage("break the store"));
+  await page.reload();
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  // A part of another version is asked of every store.
+  writeFileSync(join(site.folder, "assets", "earlier.js"), "");
+  expect(await page.evaluate(async () => (await fetch("assets/earlier.js")).ok)).toBe(true);
+});

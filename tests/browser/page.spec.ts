@@ -214,7 +214,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 
 const longName = `/#read?quaternion=${"a_long_name_of_a_".repeat(12)}Quaternion(1,2,3,4)`;
 const addresses = ["/", "/#compose", "/#read?digits=all", "/#compose?digits=all", longName];
-for (const width of [360, 768, 1280]) {
+for (const width of [320, 768, 1280]) {
   for (const address of addresses) {
     test(`no sideways scroll at ${width} px: ${address}`, async ({ page }) => {
       await page.setViewportSize({ width, height: 800 });

@@ -2,18 +2,17 @@
 import { readFile } from "node:fs/promises";
 import type { Page } from "@playwright/test";
 import {
+  bodyOn,
   expect,
+  fromX,
   matrix,
   numbersOf,
   quaternionField,
+  stage,
   tabTo,
   test,
   violationsOf,
 } from "./support.ts";
-
-/** The eye on the world's x axis: y to the right, z up. */
-const fromX = "look=0,0";
-const stage = (page: Page) => page.getByRole("application", { name: "Picture of the turn" });
 
 async function press(page: Page, key: string, times: number) {
   for (let presses = 0; presses < times; presses += 1) await page.keyboard.press(key);
@@ -94,42 +93,16 @@ test("dragging the body turns it, dragging beside it looks round", async ({ page
   await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
 });
 
-test("a finger turns the body too", async ({ browser, baseURL }) => {
-  const context = await browser.newContext({
-    hasTouch: true,
-    viewport: { width: 390, height: 800 },
-  });
-  const page = await context.newPage();
-  await page.goto(`${baseURL}#read?quaternion=1+0+0+0&${fromX}`);
-  await stage(page).scrollIntoViewIfNeeded();
-  const box = await stage(page).boundingBox();
-  if (!box) throw new Error("no picture");
-  const session = await context.newCDPSession(page);
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", moved: number) =>
-    session.send("Input.dispatchTouchEvent", {
-      type,
-      touchPoints:
-        type === "touchEnd"
-          ? []
-          : [{ x: box.x + box.width / 2 + 4 + moved, y: box.y + box.height / 2 + 12 }],
-    });
-  await touch("touchStart", 0);
-  for (const part of [0.25, 0.5, 0.75, 1]) await touch("touchMove", (part * 150 * box.width) / 360);
-  await touch("touchEnd", 0);
-  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
-  // Beside the body a finger moves the page.
-  const scrolled = () => page.evaluate(() => scrollY);
-  const before = await scrolled();
-  const beside = (type: "touchStart" | "touchMove" | "touchEnd", moved: number) =>
-    session.send("Input.dispatchTouchEvent", {
-      type,
-      touchPoints: type === "touchEnd" ? [] : [{ x: box.x + 10, y: box.y + 250 - moved }],
-    });
-  await beside("touchStart", 0);
-  for (const moved of [20, 60, 100, 140]) await beside("touchMove", moved);
-  await beside("touchEnd", 0);
-  await expect.poll(scrolled).toBeGreaterThan(before + 50);
-  await context.close();
+test("what the browser makes a scroll of is taken back", async ({ page }) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  const { x, y } = await bodyOn(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y + 30, { steps: 4 });
+  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await stage(page).dispatchEvent("pointercancel", { pointerId: 1, bubbles: true });
+  await page.mouse.up();
+  await expect(quaternionField(page)).toHaveValue("1 0 0 0");
 });
 
 test("active and passive: the vector moves, or the axes do", async ({ page }) => {

@@ -301,7 +301,7 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
-for (const width of [360, 768, 1280]) {
+for (const width of [320, 768, 1280]) {
   test(`no sideways scroll at ${width} px with everything open`, async ({ page }) => {
     await page.setViewportSize({ width, height: 740 });
     for (const address of [

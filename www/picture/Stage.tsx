@@ -26,6 +26,19 @@ interface Held {
   down: number;
   turns: "view" | "body";
   hasMoved: boolean;
+  /** From where the picture was looked at. */
+  look: Look;
+}
+
+/**
+ * One finger on the body turns it, also up and down, where it moves the page elsewhere. What the styles
+ * say of touches does not hold for a part of a drawing in every browser. What a finger touched first
+ * hears of it until it is lifted, also when a turn has taken it out of the drawing.
+ */
+function keepFinger(touched: SVGElement, isTurning: () => boolean) {
+  touched.ontouchmove = (event) => {
+    if (isTurning() && event.touches.length === 1) event.preventDefault();
+  };
 }
 
 export function Stage({
@@ -47,7 +60,7 @@ export function Stage({
   onTurn?: ((turn: Quaternion, by: "drag" | "key") => void) | undefined;
   /** The hand let the body go. */
   onTurned?: () => void;
-  /** The Escape key took back what the hand did. */
+  /** The Escape key, or the browser, took back what the hand did with the body. */
   onCancelled?: () => void;
 }) {
   const camera = cameraOf(look);
@@ -57,6 +70,15 @@ export function Stage({
     const { width } = stage.getBoundingClientRect();
     const unit = paper.width / width;
     return { across: event.clientX * unit, down: event.clientY * unit };
+  };
+
+  const takeBack = () => {
+    if (held.current === undefined) return;
+    const { turns, hasMoved, look } = held.current;
+    held.current = undefined;
+    if (!hasMoved) return;
+    if (turns === "body") onCancelled?.();
+    else onLook(look);
   };
 
   const move = (turns: "view" | "body", right: number, down: number, by: "drag" | "key") => {
@@ -78,10 +100,9 @@ export function Stage({
       onKeyDown={(event) => {
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (event.key === "Escape" && held.current?.turns === "body") {
-          const { id, hasMoved } = held.current;
-          held.current = undefined;
+          const { id } = held.current;
+          takeBack();
           event.currentTarget.releasePointerCapture(id);
-          if (hasMoved) onCancelled?.();
           return;
         }
         const arrow = arrows[event.key];
@@ -96,16 +117,22 @@ export function Stage({
         event.preventDefault();
       }}
       onPointerDown={(event) => {
-        if (event.button !== 0 || held.current) return;
+        // A second finger makes the picture, or the page, larger.
+        if (!event.isPrimary) takeBack();
+        if (event.button !== 0 || !event.isPrimary || held.current) return;
         const isBody = (event.target as Element).closest(".picture-body") !== null;
         held.current = {
           id: event.pointerId,
           ...point(event, event.currentTarget),
           turns: isBody && onTurn ? "body" : "view",
           hasMoved: false,
+          look,
         };
         event.currentTarget.setPointerCapture(event.pointerId);
       }}
+      onTouchStart={({ target }) =>
+        keepFinger(target as SVGElement, () => held.current?.turns === "body")
+      }
       onPointerMove={(event) => {
         const from = held.current;
         if (from?.id !== event.pointerId) return;
@@ -116,6 +143,8 @@ export function Stage({
         held.current.hasMoved = true;
         move(from.turns, right * degreesPerUnit, down * degreesPerUnit, "drag");
       }}
+      // The browser makes a scroll of it.
+      onPointerCancel={takeBack}
       onLostPointerCapture={() => {
         if (held.current?.turns === "body") onTurned?.();
         held.current = undefined;

@@ -3,7 +3,7 @@
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { buildPackage } from "./package.mjs";
-import { buildCore, setUp, setUpBrowser, setUpRustChecks } from "./setup.mjs";
+import { buildCore, setUp, setUpBrowser, setUpFirefox, setUpRustChecks } from "./setup.mjs";
 import { main, root, run, Stop, say } from "./shell.mjs";
 
 const warningsAreErrors = ["--", "-D", "warnings"];
@@ -38,6 +38,7 @@ const steps = {
   wasm: () => run("wasm-pack", "test", "--node"),
   page: async () => {
     process.env.QUATLAS_BROWSER = (await setUpBrowser()) ?? "";
+    process.env.QUATLAS_FIREFOX = await setUpFirefox();
     await buildCore();
     say("building the page");
     run("vite", "build", "--config", "www/vite.config.ts", "--logLevel", "warn");

@@ -1,5 +1,5 @@
 // A number of the result that can be edited in its place.
-import { useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Digits, Unit } from "../address.ts";
 import { applyFirst } from "../fixes.ts";
 import { shown } from "../format.ts";
@@ -16,11 +16,6 @@ import {
   shownNumbers,
   write,
 } from "./number_group.ts";
-
-/** The characters that have a place, so that nothing moves when a number changes; as in edit.css. */
-const places: Record<Digits, number> = { "4": 7, "6": 9, all: 20 };
-/** An angle in degrees has two digits more. */
-const anglePlaces: Record<Digits, number> = { "4": 9, "6": 11, all: 20 };
 
 /** What the arrow keys add. */
 const steps = { degrees: 1, radians: 0.01, none: 0.01 };
@@ -50,7 +45,13 @@ export function NumberField({
   const isExpression = typed !== undefined && plainNumber(typed) === undefined;
   const reading = isExpression ? typed : (text ?? shown(shownNumbers(group)[at] ?? 0, digits));
   const isWrong = group.isWrong(at);
-  const isLong = reading.length > (unit === "degrees" ? anglePlaces : places)[digits];
+  const input = useRef<HTMLInputElement>(null);
+  // While it is edited its place stays as it is, so that nothing moves: it covers its neighbours.
+  const place = useRef(reading);
+  if (!isEdited) place.current = reading;
+  useLayoutEffect(() => {
+    if (isEdited && input.current) keepWithin(input.current);
+  });
 
   const begin = (field: HTMLInputElement) => {
     const { quaternion, matrix } = store.state.peek();
@@ -88,42 +89,46 @@ export function NumberField({
 
   const problem = isEdited && isWrong ? store.problemOf("quaternion") : undefined;
   const value = isEdited ? partOf(group, at) : reading;
-  const input = (
-    <input
-      type="text"
-      class={`number digits-${digits} ${isLong ? "long" : ""}`}
-      aria-label={label}
-      size={isLong ? reading.length : undefined}
-      value={value}
-      style={{ "--exact": `calc(${value.length + 1}ch + 8px)` }}
-      spellcheck={false}
-      autocomplete="off"
-      autocapitalize="off"
-      aria-invalid={isWrong}
-      aria-describedby={isWrong ? "problem-quaternion" : undefined}
-      // The press that brings the focus leaves the whole number selected.
-      onMouseDown={(event) => {
-        if (event.button !== 0 || event.currentTarget === document.activeElement) return;
-        event.preventDefault();
-        event.currentTarget.focus();
-      }}
-      onFocus={(event) => begin(event.currentTarget)}
-      onInput={({ currentTarget: field }) => inPlace(field, () => write(group, at, field.value))}
-      onKeyDown={onKeyDown}
-      onBlur={(event) => {
-        // The window lost the focus, and the field keeps it within the window.
-        if (event.currentTarget === document.activeElement) return;
-        setEdited(false);
-        store.step();
-        const next = event.relatedTarget;
-        if (!(next instanceof HTMLInputElement && next.dataset["group"] === group.id)) leave(group);
-      }}
-      data-group={group.id}
-    />
+  const field = (
+    <span class={`number-box digits-${digits}`} data-text={place.current}>
+      <input
+        ref={input}
+        type="text"
+        class={`number ${isExpression ? "expression" : ""}`}
+        aria-label={label}
+        value={value}
+        style={{ "--exact": `calc(${value.length + 1}ch + 8px)` }}
+        spellcheck={false}
+        autocomplete="off"
+        autocapitalize="off"
+        aria-invalid={isWrong}
+        aria-describedby={isWrong ? "problem-quaternion" : undefined}
+        // The press that brings the focus leaves the whole number selected.
+        onMouseDown={(event) => {
+          if (event.button !== 0 || event.currentTarget === document.activeElement) return;
+          event.preventDefault();
+          event.currentTarget.focus();
+        }}
+        onFocus={(event) => begin(event.currentTarget)}
+        onInput={({ currentTarget: field }) => inPlace(field, () => write(group, at, field.value))}
+        onKeyDown={onKeyDown}
+        onBlur={(event) => {
+          // The window lost the focus, and the field keeps it within the window.
+          if (event.currentTarget === document.activeElement) return;
+          setEdited(false);
+          event.currentTarget.style.left = "0";
+          store.step();
+          const next = event.relatedTarget;
+          if (!(next instanceof HTMLInputElement && next.dataset["group"] === group.id))
+            leave(group);
+        }}
+        data-group={group.id}
+      />
+    </span>
   );
   return (
     <>
-      {input}
+      {field}
       {/* It is read aloud as the description of the field, from where all problems stand. */}
       {problem && (
         <span class="number-problem" aria-hidden="true">
@@ -137,6 +142,16 @@ export function NumberField({
 function select(field: HTMLInputElement, text: string) {
   field.value = text;
   field.select();
+}
+
+/** Moves a field that is wider than its place to the left, as far as the matrix or the page ends. */
+function keepWithin(field: HTMLInputElement) {
+  const within = field.closest(".matrix-scroll, #page")?.getBoundingClientRect();
+  if (within === undefined) return;
+  field.style.left = "0";
+  field.style.maxWidth = `${within.width}px`;
+  const beyond = field.getBoundingClientRect().right - within.right;
+  if (beyond > 0) field.style.left = `${-beyond}px`;
 }
 
 function directionOf(key: string): 1 | -1 | undefined {

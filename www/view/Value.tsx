@@ -10,6 +10,7 @@ import { fieldWords } from "../words/edit.ts";
 import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { type Edited, numberGroup, shownNumbers } from "./number_group.ts";
+import { SideScroll } from "./SideScroll.tsx";
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({
@@ -64,9 +65,6 @@ export function namesInOrder({ order }: Pick<Convention, "order">): readonly Com
   return namesOf[order];
 }
 
-/** On a phone, and with all digits, a matrix can be wider than its place. */
-const mayScroll = (digits: Digits) => digits === "all" || matchMedia("(width < 30rem)").matches;
-
 /** A matrix with brackets and aligned decimals, under its name and what it does. */
 export function Matrix({
   name,
@@ -96,12 +94,7 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
         <Copy of={name} text={exactRows(rows)} value={value} />
       </figcaption>
-      {/* Where it is wider than its place, the arrow keys or the fields reach all of it. */}
-      <section
-        class={`matrix-scroll digits-${digits}`}
-        aria-label={rowByRow(name)}
-        {...(mayScroll(digits) && !group ? { tabIndex: 0 } : {})}
-      >
+      <SideScroll name={rowByRow(name)} digits={digits}>
         <table aria-label={name}>
           <tbody>
             {cells.map((row, at) => (
@@ -125,7 +118,7 @@ export function Matrix({
             ))}
           </tbody>
         </table>
-      </section>
+      </SideScroll>
     </figure>
   );
 }

@@ -113,6 +113,7 @@ const examples: {
       observations: [
         product("0 0 0 1"),
         rotated("3 1 2"),
+        matrix("0 0 1\n1 0 0\n0 1 0"),
         {
           probe: "perturb",
           quaternion: half,

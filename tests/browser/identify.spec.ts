@@ -114,7 +114,7 @@ test("a small turn alone settles nothing of its axes and its sign; the quarter t
   }
   await expect(sentence(page)).not.toContainText("small turn");
   const follows = page.getByRole("region", { name: "Between Hamilton and JPL" });
-  await expect(follows).toContainText("a body turned by a quarter tell together");
+  await expect(follows).toContainText("show only with a body turned by a quarter");
   await expect(page.getByRole("heading", { name: "a body turned by a quarter" })).toBeVisible();
   await page.keyboard.type("0.707 0 0 -0.707");
   await page.keyboard.press("Enter");
@@ -124,7 +124,7 @@ test("a small turn alone settles nothing of its axes and its sign; the quarter t
   await expect(sentence(page)).toContainText(
     "adds small turns on the axes of the body with the formal sign (phi turns the body by -phi)",
   );
-  await expect(follows).toContainText("turns the body by −φ: the formal sign");
+  await expect(follows).toContainText("on the axes of the body turns the body by −φ, formal sign");
   // Another small turn that disagrees does so about its sign alone.
   await page.getByRole("button", { name: /^a small turn added/ }).click();
   await printed(page, 6).fill("0.524 0.474 0.524 0.474");

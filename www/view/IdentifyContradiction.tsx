@@ -19,9 +19,7 @@ export function ContradictionWords({ store, found }: { store: Store; found: Cont
               <td>
                 {says.length > 0
                   ? listed(says.map(({ choice, value }) => wordsOfValue(choice, value)))
-                  : found.about.length > 0
-                    ? words.openAlone
-                    : words.withOthers}
+                  : words.nothing}
               </td>
               <td class="claim-without">{words.without(leavesWithout)}</td>
             </tr>

@@ -107,7 +107,9 @@ function Value({ value }: { value: Handedness | CosineMatrix }) {
 }
 
 function Follows({ report: { remaining } }: { report: IdentifyReport }) {
-  const { firstToAct, direction, perturbation, incrementSign } = remaining;
+  const { firstToAct, direction } = remaining;
+  const axes = settledValue(remaining, "perturbation");
+  const turn = settledValue(remaining, "incrementSign");
   return (
     <ul class="notes follows">
       <li>
@@ -121,11 +123,8 @@ function Follows({ report: { remaining } }: { report: IdentifyReport }) {
           : words.takesOpen}
       </li>
       <li>
-        {perturbation.length === 1 &&
-        perturbation[0] &&
-        incrementSign.length === 1 &&
-        incrementSign[0]
-          ? words.smallTurn(perturbation[0], incrementSign[0])
+        {axes && turn
+          ? words.smallTurn(wordsOfValue("perturbation", axes), wordsOfValue("incrementSign", turn))
           : words.smallTurnOpen}
       </li>
       {settledValue(remaining, "rotate") && settledValue(remaining, "matrix") && (

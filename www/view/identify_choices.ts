@@ -19,9 +19,7 @@ export const codeLanguages = (Object.keys(languageNames) as Language[]).filter(
 export const choicesOfLibrary = [
   ...(["constructor", "array", "handedness", "rotate", "matrix"] as const),
 ] satisfies BehaviourAxis[];
-export const choicesOfUse = [
-  ...(["attitude", "perturbation", "incrementSign"] as const),
-] satisfies BehaviourAxis[];
+export const choicesOfUse: readonly BehaviourAxis[] = ["attitude", "perturbation", "incrementSign"];
 
 /** Both values of each choice. */
 export const valuesOf: {

@@ -3,9 +3,7 @@ import { allBehaviours } from "./observations.ts";
 import { numbered } from "./phrases.ts";
 
 export const left = (possible: number) =>
-  possible === 1
-    ? `1 of ${allBehaviours} behaviours is left`
-    : `${possible} of ${allBehaviours} behaviours are left`;
+  `${possible} of ${allBehaviours} behaviours ${possible === 1 ? "is" : "are"} left`;
 
 export const copied = "the sentence for an issue";
 export const fromBeforeContradiction =

@@ -9,8 +9,7 @@ export const message = ({ observations, about }: Contradiction) =>
   }.`;
 
 export const claims = "What each of them says";
-export const withOthers = "only with the others";
-export const openAlone = "leaves it open by itself";
+export const nothing = "nothing by itself";
 
 export const without = (left: number) =>
   left === 0

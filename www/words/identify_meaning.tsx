@@ -1,6 +1,4 @@
 // What follows from the choices, and what numbers cannot tell.
-import type { IncrementSign, Perturbation } from "../engine.ts";
-import { choiceWords } from "./observations.ts";
 import { listed } from "./phrases.ts";
 
 export const relatives = "Between Hamilton and JPL";
@@ -30,20 +28,15 @@ export const takesOpen =
   "Which coordinates to which it takes depends on how an attitude is written: a body turned by a quarter tells.";
 
 /** What adding a small turn φ does to the body. */
-export const smallTurn = (axes: Perturbation, sign: IncrementSign) => (
+export const smallTurn = (axes: string, turn: string) => (
   <>
-    A small turn <var>φ</var> is added on the axes of <strong>{axesOf[axes]}</strong> and turns the
-    body by <strong>{sign === "physical" ? "φ" : "−φ"}</strong>
-    {sign === "formal" &&
-      ": the formal sign, where φ stands in the exponential without the minus that a conjugated quaternion, or a matrix of world to body, asks for"}
-    .
+    A small turn <var>φ</var> on the axes of <strong>{axes}</strong> turns the body by{" "}
+    <strong>{turn}</strong>.
   </>
 );
 
-const { values: axesOf } = choiceWords.perturbation;
-
 export const smallTurnOpen =
-  "On whose axes a small turn φ is added, and whether it turns the body by φ or by −φ, only a small turn and a body turned by a quarter tell together.";
+  "The axes and the sign of a small turn show only with a body turned by a quarter.";
 
 export const columns = (
   <>

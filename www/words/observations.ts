@@ -41,7 +41,7 @@ export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
   },
   perturb: {
     name: "a small turn added",
-    asks: "What is q after the library added the small turn φ, in radians? With a body turned by a quarter it tells the axes and the sign.",
+    asks: "What is q after the small turn φ, in radians, was added by its own call?",
   },
 };
 
@@ -149,7 +149,7 @@ export const checks: Record<BehaviourAxis, string> = {
   matrix: "whether the nine numbers run row by row: choose column by column, or not sure",
   attitude: "which quaternion of the body it is: of body to world, or of world to body",
   perturbation: "on whose axes φ was meant",
-  incrementSign: "whether φ was added, not subtracted, and not an error of the other sign",
+  incrementSign: "whether φ was added",
 };
 
 /** What to look at besides. */

@@ -4,10 +4,11 @@
 //! rotation, and written back in every convention. Any step may stop with
 //! problems; nothing is thrown and nothing is printed.
 
-use crate::attitude::{Attitude, Declared, euler, rules, turn};
+use crate::attitude::{Attitude, Declared};
 use crate::bare_arguments;
 use crate::compose::compose as compose_attitudes;
 use crate::convention::Convention;
+use crate::describe::{euler, rules, turn};
 use crate::identify::identify;
 use crate::parse::parse_vector;
 use crate::problem::{Field, Problem};

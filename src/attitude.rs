@@ -2,33 +2,27 @@
 
 use crate::angle::{AngleUnit, UnitSource};
 use crate::bare_arguments;
-use crate::convention::{ComponentOrder, ComponentSign, Convention};
-use crate::euler_sequence::EulerSequence;
-use crate::kinematics::RateAxes;
+use crate::convention::{ComponentOrder, Convention};
+use crate::describe::{HALF_TURN_SCALAR, is_half_turn, rules};
 use crate::matrix_reading::of_matrix;
 use crate::matrix_rows::RowMarks;
 use crate::messages::Fault;
 use crate::parse::{ParsedQuaternion, ParsedRotation, parse_rotation};
-use crate::perturbation::Side;
 use crate::problem::{Field, Problem, Span};
 use crate::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::report::{
-    AngleUnitAssumed, AxesAsColumns, Column, Components, Euler, Fact, Form, NearlyHalfTurn,
-    NearlyNoTurn, Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix,
-    ReadAxisAngle, ReadEulerAngles, ReadGibbsVector, ReadGimbalLock, ReadHalfAngleVector,
-    ReadModifiedRodrigues, ReadQuaternion, ReadRotationVector, RowsAssumed, Rules, Turn,
-    UnknownConstructor, UsedNearestRotation, coordinates, plain, rows3, rows4,
+    AngleUnitAssumed, AxesAsColumns, Column, Components, Fact, Form, NearlyHalfTurn, NearlyNoTurn,
+    Normalised, Note, OrderAssumed, OrderFromText, OrderSource, PairedMatrix, ReadAxisAngle,
+    ReadEulerAngles, ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
+    ReadRotationVector, RowsAssumed, UnknownConstructor, UsedNearestRotation, coordinates, plain,
+    rows3, rows4,
 };
 use crate::rotation::Rotation;
 use crate::rotation_matrix::MatrixConvention;
 use crate::rotation_vector::{AxisVector, half_angle_exponential};
-use crate::scaling::UNIT_ROUNDOFF;
 use crate::suggestion::with_suggestion;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{PI, TAU};
-
-/// A scalar part this small is a rounded cosine of 90°: the turn is half a turn.
-const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
 
 /// Nearer than this, in radians, to no turn or to half a turn, rounding decides more than the text.
 ///
@@ -36,10 +30,6 @@ const HALF_TURN_SCALAR: f64 = UNIT_ROUNDOFF;
 /// axis by a degree. Near half a turn the scalar is 5e-5, which four decimals write as 0, and with
 /// it the sign of the axis is lost.
 const NEARLY_RAD: f64 = 1e-4;
-
-/// Nearer to gimbal lock than this, in radians, an error of the attitude is a hundred times as large in
-/// the outer angles: of six decimals four are left.
-const NEAR_LOCK_RAD: f64 = 1e-2;
 
 /// The most that six decimals change a vector of three components.
 const ROUNDING_OF_SIX_DECIMALS: f64 = 0.5e-6 * 1.732_050_807_568_877_2;
@@ -379,12 +369,6 @@ impl Attitude {
     }
 }
 
-/// Whether the turn is half a turn but for the rounding of a cosine.
-fn is_half_turn(rotation: &Rotation) -> bool {
-    let unit = rotation.to_tagged(Convention::HAMILTON).components;
-    unit.w.abs() <= HALF_TURN_SCALAR
-}
-
 /// The unit that was assumed, and the texts that say it.
 fn unit_assumed(text: &str, unit: AngleUnit) -> AngleUnitAssumed {
     let written = |unit: AngleUnit, word: &str| {
@@ -405,53 +389,5 @@ fn unit_assumed(text: &str, unit: AngleUnit) -> AngleUnitAssumed {
         unit,
         in_degrees: written(AngleUnit::Degrees, "deg"),
         in_radians: written(AngleUnit::Radians, "rad"),
-    }
-}
-
-pub(crate) fn rules(convention: Convention) -> Rules {
-    let side = |is_left| if is_left { Side::Left } else { Side::Right };
-    Rules {
-        is_canonical: convention.component_sign() == ComponentSign::Canonical,
-        operator: convention.operator(),
-        labelled_first: side(convention.first_label_is_left()),
-        chain_first: side(convention.first_in_chain_is_left()),
-        increment: convention.increment_side(),
-        body_rate: convention.rate_side(RateAxes::Body),
-    }
-}
-
-pub(crate) fn euler(rotation: &Rotation, sequence: EulerSequence) -> Euler {
-    let found = rotation.euler(sequence);
-    let angles_rad = found
-        .gimbal_lock
-        .map_or(found.angles_rad, |lock| lock.canonical_rad);
-    let distance_rad = found.lock_distance_rad;
-    let is_near = found.gimbal_lock.is_none() && distance_rad < NEAR_LOCK_RAD;
-    Euler {
-        sequence,
-        angles_rad: angles_rad.map(plain),
-        angles_deg: angles_rad.map(|angle| plain(angle.to_degrees())),
-        gimbal_lock: found.gimbal_lock.map(|lock| ReadGimbalLock {
-            survivor: lock.survivor,
-            survivor_deg: plain(lock.survivor_rad.to_degrees()),
-            lost: sequence.lost_at_lock(),
-            distance_deg: plain(lock.distance_rad.to_degrees()),
-        }),
-        near_lock_deg: is_near.then(|| distance_rad.to_degrees()),
-        free_sequence: (is_near || found.gimbal_lock.is_some())
-            .then(|| rotation.free_euler_sequence(sequence)),
-    }
-}
-
-pub(crate) fn turn(rotation: &Rotation) -> Turn {
-    let angle_rad = rotation.angle_rad();
-    let gibbs_vector = rotation.gibbs_vector().filter(|_| !is_half_turn(rotation));
-    Turn {
-        gibbs_vector: gibbs_vector.as_ref().map(coordinates),
-        modified_rodrigues_parameters: coordinates(&rotation.modified_rodrigues_parameters()),
-        angle_rad: plain(angle_rad),
-        angle_deg: plain(angle_rad.to_degrees()),
-        axis: rotation.axis().as_ref().map(coordinates),
-        rotation_vector_rad: coordinates(&rotation.rotation_vector_rad()),
     }
 }

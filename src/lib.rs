@@ -273,6 +273,9 @@ pub mod parse;
 // Nine numbers to an attitude, or what is nearest to them.
 mod matrix_reading;
 
+// A rotation in the representations that need no text.
+mod describe;
+
 // A text to an attitude, and the attitude to numbers in a convention.
 mod attitude;
 

@@ -1,8 +1,9 @@
 //! From one end of a translation to the other.
 
-use crate::attitude::{Attitude, Declared, turn};
+use crate::attitude::{Attitude, Declared};
 use crate::axis_mapping::{AxesChange, AxisMapping};
 use crate::convention::{ComponentOrder, ComponentSign, Convention};
+use crate::describe::turn;
 use crate::endpoint::{Endpoint, Meaning};
 use crate::library::{Library, family, first_to_act, libraries, stores_columns};
 use crate::matrix_rows::RowMarks;

@@ -202,7 +202,7 @@ fn after_a_small_turn_the_quarter_turn_is_asked() {
 }
 
 /// What the core itself adds, in each of the 32 conventions and with both signs: by its rules, and not by
-/// those of the simulated libraries.
+/// those of the simulated libraries (specification, FX-26, step 6).
 #[wasm_bindgen_test(unsupported = test)]
 fn what_every_convention_adds_is_told() {
     let yawed =

@@ -18,7 +18,7 @@ const ROUNDED_DECIMALS: usize = 3;
 
 /// No library prints more of one quaternion, vector or matrix; and all observations are read again with every
 /// letter, so that together they must not be long.
-const LONGEST_TEXT_BYTES: usize = 4096;
+pub(crate) const LONGEST_TEXT_BYTES: usize = 4096;
 
 /// What goes in.
 pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Problem> {

@@ -5,7 +5,7 @@
 
 use crate::analyze::{compose, read};
 use crate::convention::Convention;
-use crate::problem::{Field, Problem};
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
 use crate::report::Problems;
 use crate::wasm_members::{Members, Typed, no_such_choice, refused, word};
 use crate::wasm_request::{compose_request, read_request};
@@ -19,6 +19,7 @@ use {
     crate::endpoint::Endpoint,
     crate::identify::identify,
     crate::library::TABLE,
+    crate::observe::LONGEST_TEXT_BYTES,
     crate::report::{IdentifyReport, ObservationReport},
     crate::request::{IdentifyRequest, TranslateRequest},
     crate::translate::translate,
@@ -157,7 +158,7 @@ fn answer<'request>(
                 .into_iter()
                 .map(|problem| {
                     let member = member_of(problem.field);
-                    texts.of_whole_text(problem, member)
+                    texts.of_whole_text(problem, member, MAX_TEXT_BYTES)
                 })
                 .collect();
             with_status("problems", &Problems { problems })
@@ -178,7 +179,7 @@ fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
     for (at, observation) in report.observations.iter_mut().enumerate() {
         if let ObservationReport::Problem(found) = observation {
             let path = format!("observations[{at}].{}", member_of(found.problem.field));
-            found.problem = texts.of_whole_text(found.problem.clone(), &path);
+            found.problem = texts.of_whole_text(found.problem.clone(), &path, LONGEST_TEXT_BYTES);
         }
     }
     report

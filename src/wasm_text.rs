@@ -30,7 +30,7 @@ struct TooLong {
     /// Where the request holds it.
     path: String,
     bytes: usize,
-    /// Without the white space around it, in UTF-16 units.
+    /// All of it, in UTF-16 units.
     span: Span,
 }
 
@@ -48,14 +48,14 @@ impl Texts {
         (self.bytes.get() <= MOST_BYTES_OF_ALL).then_some(read)
     }
 
-    /// A problem of a text that is too long, as it is of the whole text.
-    pub(crate) fn of_whole_text(&self, problem: Problem, path: &str) -> Problem {
+    /// A problem of a text that is too long, as it is of the whole text, of which so many bytes are read.
+    pub(crate) fn of_whole_text(&self, problem: Problem, path: &str, most_bytes: usize) -> Problem {
         let too_long = self.too_long.borrow();
         let Some(whole) = too_long.iter().find(|text| text.path == path) else {
             return problem;
         };
         if problem.code == ProblemCode::TextTooLong {
-            let fault = Fault::text_too_long(whole.span, whole.bytes, MAX_TEXT_BYTES);
+            let fault = Fault::text_too_long(whole.span, whole.bytes, most_bytes);
             return fault.in_field(problem.field);
         }
         Problem {
@@ -68,20 +68,13 @@ impl Texts {
 impl TooLong {
     fn of(text: &JsString, path: &str) -> Self {
         let encoder = TextEncoder::new();
-        let pieces = pieces(text);
-        let bytes = pieces
-            .iter()
-            .map(|(_, piece)| encoder.encode(piece).length() as usize);
-        let (first, last) = (
-            pieces.iter().find_map(inside_of),
-            pieces.iter().rev().find_map(inside_of),
-        );
-        let end = text.length() as usize;
-        let span = first.zip(last).map(|(first, last)| first.to(last));
+        let bytes = pieces(text)
+            .into_iter()
+            .map(|piece| encoder.encode(&piece).length() as usize);
         Self {
             path: path.to_owned(),
             bytes: bytes.sum(),
-            span: span.unwrap_or(Span::from(end..end)),
+            span: Span::from(0..text.length() as usize),
         }
     }
 }
@@ -97,26 +90,15 @@ extern "C" {
     fn encode(this: &TextEncoder, text: &JsString) -> Uint8Array;
 }
 
-/// The pieces of a text, each with the units before it.
-fn pieces(text: &JsString) -> Vec<(u32, JsString)> {
+fn pieces(text: &JsString) -> Vec<JsString> {
     let mut pieces = Vec::new();
     let mut start = 0;
     while start < text.length() {
         let end = end_of_piece(text, start);
-        pieces.push((start, text.slice(start, end)));
+        pieces.push(text.slice(start, end));
         start = end;
     }
     pieces
-}
-
-/// Where in the text a piece has more than white space, in units; nothing where it has not.
-fn inside_of((at, piece): &(u32, JsString)) -> Option<Span> {
-    let piece = String::from(piece);
-    let inside = Span::of_trimmed(&piece);
-    (inside.start < inside.end).then(|| {
-        let inside = inside.in_utf16(&piece);
-        Span::from(*at as usize + inside.start..*at as usize + inside.end)
-    })
 }
 
 /// The first units of a text.

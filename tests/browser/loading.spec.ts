@@ -4,7 +4,7 @@ import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 199_300;
+const firstBudget = 206_800;
 const lazyBudgets: Record<string, number> = {
   "ComposePicture.js": 1_540,
   "CopyMenu.css": 450,
@@ -34,10 +34,10 @@ const lazyBudgets: Record<string, number> = {
   "offline.css": 420,
   "offline.js": 610,
   "phrases.js": 220,
-  "quatlas.js": 3_330,
-  "quatlas_bg.wasm": 283_900,
+  "quatlas.js": 2_730,
+  "quatlas_bg.wasm": 273_100,
   "save.js": 4_970,
-  "service_worker.js": 3_880,
+  "service_worker.js": 4_070,
   "translate.css": 1_820,
   "translate.js": 1_600,
 };

@@ -146,7 +146,7 @@ function GimbalLock({
       {gimbalLockWords({
         names,
         sign,
-        survivor: shownAngle(fromDegrees(lock.survivorDeg), digits, unit),
+        survivor: shownAngle(fromDegrees(inDegrees(lock.survivorDeg)), digits, unit),
         lost: names[lock.lost],
         distance:
           lock.distanceDeg < roundingDeg

@@ -47,7 +47,7 @@ fn noise_and_signs_and_order_do_not_matter() {
 /// a quarter turn, without which its axes and its sign are not told.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_tools_own_questions_tell_all_256_in_five() {
-    for noise in [Noise::None, Noise::Single, Noise::Rounded(2)] {
+    for noise in [Noise::None, Noise::Rounded(2)] {
         for (seed, behaviour) in (0..).zip(Behaviour::all()) {
             let mut library = Simulated::new(behaviour, noise, seed);
             let (answers, report) = follow(&mut library, |report| report.possible == 1);

@@ -20,7 +20,7 @@ use quatlas::{
 };
 use written::{angles, sequences, turned, written};
 
-const CASES: u32 = 1000;
+const CASES: u32 = 600;
 
 fn answer(text: &str, convention: Convention) -> Outcome {
     analyze(&read_request(text, "1 2 3", convention))

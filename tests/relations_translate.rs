@@ -18,7 +18,7 @@ use quatlas::{
 };
 use written::{angles, sequences, turned};
 
-const CASES: u32 = 1000;
+const CASES: u32 = 500;
 
 /// What an entry of a matrix of a unit quaternion may be off by.
 const TOLERANCE: f64 = 4e-15;

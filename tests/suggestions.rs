@@ -319,8 +319,8 @@ fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod laws {
-    use super::{Field, Outcome, Remedy, answer, problem};
     use super::property::for_all;
+    use super::{Field, Outcome, Remedy, answer, problem};
     use proptest::prelude::*;
 
     /// The numbers of a text with the signs before them, whatever stands between; a plus is none.

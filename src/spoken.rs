@@ -93,8 +93,7 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
                 None => Spoken::Parts(labels, parts),
             };
         }
-        let about = at_depth_zero(tokens)
-            .find(|&at| is_name(&tokens[at]) && matches!(tokens[at].text, "about" | "around"));
+        let about = at_depth_zero(tokens).find(|&at| matches!(tokens[at].text, "about" | "around"));
         if let Some(at) = about {
             return Spoken::About {
                 before: after_label(&tokens[..at]).unwrap_or(&tokens[..at]),
@@ -156,10 +155,11 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
 /// The only label of tokens, where it names what was made of a rotation.
 fn derived_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
     let (label, rest) = tokens.split_first()?;
-    let is_label = is_name(label) && is_derived_label(label.text);
+    let is_label = is_derived_label(label.text);
     let mark = rest.iter().position(|token| is_mark(Some(token)))?;
     // A type before it, or its unit after it, as in `rpy_rate (deg):`.
-    let is_alone = at_depth_zero(&rest[mark + 1..]).all(|at| !is_mark(rest.get(mark + 1 + at)));
+    let after = &rest[mark + 1..];
+    let is_alone = at_depth_zero(after).all(|at| !is_mark(after.get(at)));
     let is_beside = rest[..mark]
         .iter()
         .all(|token| !matches!(token.kind, TokenKind::Number(_)));
@@ -229,9 +229,7 @@ impl<'t> Announcement<'t> {
                 return Some(length);
             }
             // `xyz=` is a translation in URDF.
-            if is_name(first)
-                && is_sequence(first.text)
-                && !(is_label && first.text == "xyz" && self.form.is_none())
+            if is_sequence(first.text) && !(is_label && first.text == "xyz" && self.form.is_none())
             {
                 self.set_sequence(Sequence::Written(first.text, first.span));
                 return Some(1);
@@ -241,7 +239,7 @@ impl<'t> Announcement<'t> {
             && self.form.is_some()
             && matches!(open.kind, TokenKind::Open(_))
             && matches!(close.kind, TokenKind::Close(_))
-            && (inner.angle_unit().is_some() || (is_name(inner) && is_sequence(inner.text)))
+            && (inner.angle_unit().is_some() || is_sequence(inner.text))
         {
             return self.take(&[*inner], text).map(|_| 3);
         }

@@ -285,3 +285,93 @@ fn one_matrix_or_call_in_json_is_read() {
         ),
     ]);
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_turn_about_an_axis_has_one_angle_and_its_words_bare() {
+    use ProblemCode::{Unexpected, UnexpectedEnd, UnknownWord, WrongCount};
+    check_refused(&[
+        // The angle stands before `about` or behind `by`, not in both places.
+        ("30deg about y by 25deg", UnknownWord, "y", "y is not"),
+        // In quotes they are values.
+        (r#"about y "by" 25deg"#, UnexpectedEnd, "", "no angle"),
+        (
+            r#""rotate" 25deg about y"#,
+            WrongCount,
+            r#""rotate" 25deg"#,
+            "one angle",
+        ),
+        // A component and a number are no names of the whole.
+        ("x = 25deg about y", WrongCount, "x = 25deg", "one angle"),
+        ("0: 25deg about y", Unexpected, ":", "cannot stand here"),
+        // Three brackets are looked behind, as below, and not more.
+        ("[[[[25deg about y]]]]", Unexpected, "25deg", "an angle"),
+    ]);
+    check_read(&[("[[[25deg about y]]]", "25deg about y")]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn an_angle_beside_an_axis_is_no_angle_beside_something_else() {
+    use ProblemCode::{MixedNames, Unexpected, UnknownComponent, UnknownWord, WrongCount};
+    check_refused(&[
+        ("25deg, b=[0, 1, 0]", MixedNames, "25deg", "no name"),
+        ("a=25deg [0, 1, 0]", Unexpected, "25deg", "an angle"),
+        // `j` is a part of a quaternion.
+        ("(j, 25deg)", Unexpected, "25deg", "an angle"),
+        (
+            "axis-angle [0, 1, 0] half",
+            WrongCount,
+            "[0, 1, 0] half",
+            "something else",
+        ),
+        (
+            "axis-angle 2 25deg",
+            WrongCount,
+            "2 25deg",
+            "something else",
+        ),
+        // An axis has no unit.
+        (
+            "axis_deg=[0, 1, 0], angle=25deg",
+            UnknownComponent,
+            "axis_deg",
+            "not a component",
+        ),
+        (
+            "ZYX [[R.from_rotvec([0, 0.5, 0])]]",
+            UnknownWord,
+            "[[R.from_rotvec([0, 0.5, 0])]]",
+            "R.from_rotvec is not",
+        ),
+    ]);
+    check_read(&[
+        ("axis-angle y-25deg", "-25deg about y"),
+        ("rotvec_deg 0 25 0 deg", "25deg about y"),
+        // The call of OpenCV tells which vector it takes.
+        ("Rodrigues(0, 0.5, 0)", "0.5rad about y"),
+    ]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn only_touching_shifts_behind_a_name_begin_a_matrix() {
+    use ProblemCode::{MixedUnits, UnclosedBracket, UnknownWord};
+    check_refused(&[
+        (
+            "R < < 0, 0, 1, 0, 1, 0, -1, 0, 0",
+            UnknownWord,
+            "R",
+            "not a number",
+        ),
+        (
+            "<< 0, 0, 1, 0, 1, 0, -1, 0, 0",
+            UnclosedBracket,
+            "<",
+            "never closed",
+        ),
+        (
+            "R << 0, 0, 1, 0, 1, 0, -1, 0, 0 deg",
+            MixedUnits,
+            "<<",
+            "another unit",
+        ),
+    ]);
+}

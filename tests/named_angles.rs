@@ -272,3 +272,100 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
         ),
     ]);
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn words_of_two_descriptions_are_refused_at_the_second() {
+    use ProblemCode::{UnknownSequence, UnknownWord};
+    check_refused(&[
+        ("rpy mrp 0.1 0.2 0.3", UnknownWord, "mrp", "mrp is not"),
+        (
+            "ZYX rotvec 0.1 0.2 0.3",
+            UnknownWord,
+            "rotvec",
+            "not a number",
+        ),
+        ("mrp rpy 0.1 0.2 0.3", UnknownWord, "rpy", "rpy is not"),
+        ("ypr rpy 0.1 0.2 0.3", UnknownWord, "rpy", "rpy is not"),
+        (
+            "mrp extrinsic 0.1 0.2 0.3",
+            UnknownWord,
+            "extrinsic",
+            "extrinsic is not",
+        ),
+        (
+            "euler 1-2-2 30 20 10",
+            UnknownSequence,
+            "1-2-2",
+            "follows itself",
+        ),
+    ]);
+    check_read(&[
+        ("zyx = 0.4 -0.6 0.9", "zyx 0.4 -0.6 0.9"),
+        // A sum with a unit is no sequence.
+        ("1-2-3 j", "w=-1, x=0, y=-3, z=0"),
+        ("3-2-1 k", "w=1, x=0, y=0, z=-1"),
+    ]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn brackets_and_marks_around_words_are_not_passed_over() {
+    use ProblemCode::{
+        UnclosedBracket, Unexpected, UnexpectedEnd, UnknownComponent, UnknownWord, UnmatchedBracket,
+    };
+    check_refused(&[
+        ("[rpy 0.1 0.2 0.3", UnclosedBracket, "[", "never closed"),
+        (
+            ")(rpy 0.1 0.2 0.3))",
+            UnmatchedBracket,
+            ")",
+            "closes nothing",
+        ),
+        (
+            "(ZYX) rpy [0.1, 0.2, 0.3]",
+            UnknownWord,
+            "(ZYX)",
+            "what these numbers are",
+        ),
+        (
+            "(ZYX) 0.1 0.2 0.3",
+            UnknownWord,
+            "(ZYX)",
+            "what these numbers are",
+        ),
+        (
+            "ZYX, deg) 30 20 10",
+            UnmatchedBracket,
+            ")",
+            "closes nothing",
+        ),
+        ("ZYX (deg, 30 20 10", UnclosedBracket, "(", "never closed"),
+        // Only a unit or a sequence stands in brackets behind what they belong to.
+        (
+            "ZYX (euler) 30 20 10",
+            UnknownWord,
+            "(euler)",
+            "euler is not",
+        ),
+        (
+            "deg rpy 10 20 30",
+            UnknownWord,
+            "deg",
+            "what these numbers are",
+        ),
+        (": rpy 0.1 0.2 0.3", Unexpected, ":", "cannot stand here"),
+        // An attribute of URDF has an equals sign and quotes, and stands alone or in an element.
+        (
+            r#"<origin rpy, "0.1 0.2 0.3"/>"#,
+            Unexpected,
+            ">",
+            "cannot stand here",
+        ),
+        ("<origin rpy=0.1 0.2 0.3/>", UnexpectedEnd, "", "stops"),
+        (
+            r#"q=[1, 0, 0, 0] rpy="0.1 0.2 0.3""#,
+            UnknownComponent,
+            "rpy",
+            "not known",
+        ),
+    ]);
+}

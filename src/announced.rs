@@ -4,6 +4,7 @@ use crate::angle::AngleUnit;
 use crate::angles::{self, Angle, UnitRule};
 use crate::axis::{self, axis_of_entries, axis_of_node, letter_ahead, span_of, trimmed};
 use crate::calls;
+use crate::constructor::is_derived_label;
 use crate::lex::{self, Token, TokenKind};
 use crate::linear::{Linear, Quantity};
 use crate::matrix_columns::{self, labelled_vectors};
@@ -76,7 +77,11 @@ pub(crate) fn announced(
             None => Ok(rotation),
         };
     }
-    if let Some(found) = named_parts(spoken::inside(rest).unwrap_or(rest)) {
+    let inner = spoken::inside(rest).unwrap_or(rest);
+    if let Some(found) = named_parts(inner) {
+        if let Some(label) = inner.first().filter(|word| is_derived_label(word.text)) {
+            return Err(Fault::derived_label(label.span, label.text));
+        }
         return parts::rotation(&found, announcement, span_of(rest, announcement.span));
     }
     let (rest, unit) = angles::without_unit(rest);

@@ -1,6 +1,7 @@
 //! The words that are known before numbers, and the names of Euler sequences.
 
 use crate::angle::AngleUnit;
+use crate::constructor::is_derived_label;
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::lex::{Token, TokenKind, last_segment};
 use crate::messages::Fault;
@@ -102,7 +103,11 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
         let (words, length) = joined(tokens, count)?;
         let (words, unit) = without_unit(&words);
         let said = match Said::of(words) {
-            None if is_mark(tokens.get(length)) => Said::of_label(words),
+            None if is_mark(tokens.get(length)) => {
+                // `imu rate rpy:` is something else, as `rpy_rate:` is.
+                let is_derived = |token: &Token<'_>| is_derived_label(token.text);
+                Said::of_label(words).filter(|_| !tokens[..length].iter().any(is_derived))
+            }
             said => said,
         }?;
         Some(Phrase {

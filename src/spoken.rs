@@ -84,7 +84,10 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
         }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
-            return Spoken::Announced(announcement, &tokens[length..]);
+            return match labels.derived {
+                Some(label) => Spoken::Derived(label),
+                None => Spoken::Announced(announcement, &tokens[length..]),
+            };
         }
         if let Some(parts) = named_parts(tokens) {
             let word_before = Some(tokens[0]).filter(|word| is_derived_label(word.text));
@@ -222,15 +225,15 @@ impl<'t> Announcement<'t> {
     fn take(&mut self, tokens: &[Token<'t>], text: &'t str) -> Option<usize> {
         let first = tokens.first()?;
         let is_label = is_mark(tokens.get(1));
-        if self.sequence.is_none() {
+        let is_free = self.form.is_none_or(|own| own == Form::Euler);
+        if self.sequence.is_none() && is_free {
             if let Some(length) = digits_ahead(tokens, self.form) {
                 let span = first.span.to(tokens[length - 1].span);
                 self.set_sequence(Sequence::Written(&text[span.start..span.end], span));
                 return Some(length);
             }
             // `xyz=` is a translation in URDF.
-            if is_sequence(first.text) && !(is_label && first.text == "xyz" && self.form.is_none())
-            {
+            if is_sequence(first.text) && !(is_label && first.text == "xyz") {
                 self.set_sequence(Sequence::Written(first.text, first.span));
                 return Some(1);
             }
@@ -265,6 +268,8 @@ impl<'t> Announcement<'t> {
             is_mark(next) || next.is_some_and(|next| matches!(next.kind, TokenKind::Open(_)));
         let is_free = |form| self.form.is_none_or(|own| own == form);
         match said {
+            // One sequence for all, and not another one in a name.
+            _ if self.sequence.is_some() && sequence.is_some() => return None,
             Said::Form(Form::Quaternion) if tells_itself => return None,
             // The call of OpenCV, `Rodrigues(…)`, says which vector it takes.
             Said::Form(Form::RodriguesVector) if tells_itself && !is_mark(next) => return None,
@@ -280,9 +285,7 @@ impl<'t> Announcement<'t> {
             }
             Said::Form(_) | Said::Frame(_) | Said::Angles(_) => return None,
         }
-        if let Some((letters, span)) = sequence
-            && self.sequence.is_none()
-        {
+        if let Some((letters, span)) = sequence {
             self.set_sequence(Sequence::InName(letters, span));
         }
         self.take_unit(unit);

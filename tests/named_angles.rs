@@ -298,6 +298,37 @@ fn words_of_two_descriptions_are_refused_at_the_second() {
             "1-2-2",
             "follows itself",
         ),
+        ("rotvec ZYX 0.1 0.2 0.3", UnknownWord, "ZYX", "ZYX is not"),
+        (
+            "rpy euler_zyx 0.1 0.2 0.3",
+            UnknownWord,
+            "euler_zyx",
+            "euler_zyx is not",
+        ),
+        (
+            "inverse:\n  rpy: [0.1, 0.2, 0.3]",
+            UnknownWord,
+            "inverse",
+            "an inverse",
+        ),
+        (
+            "inverse: ZYX roll=0.4 pitch=-0.6 yaw=0.9",
+            UnknownWord,
+            "inverse",
+            "an inverse",
+        ),
+        (
+            "rpy rate roll=0.4 pitch=-0.6 yaw=0.9",
+            UnknownWord,
+            "rate",
+            "a rate",
+        ),
+        (
+            "imu rate rpy: 0.1 0.2 0.3",
+            UnknownWord,
+            "imu",
+            "what these numbers are",
+        ),
     ]);
     check_read(&[
         ("zyx = 0.4 -0.6 0.9", "zyx 0.4 -0.6 0.9"),

@@ -9,12 +9,14 @@
 //! reflection, which has no quaternion.
 
 use crate::euler_sequence::Axis;
+use crate::nearest_rotation::davenport;
 use crate::problem::{QUOTED_CHARACTERS, shorten};
 use crate::rotation::Rotation;
-use nalgebra::{Matrix3, Quaternion};
+use nalgebra::{Matrix3, Matrix4, Quaternion};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
+use twofloat::TwoFloat;
 
 /// One new axis: an old one, or its opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -113,60 +115,35 @@ impl AxisMapping {
     /// +1 or −1.
     #[must_use]
     pub fn determinant(&self) -> i8 {
-        let [x, y, z] = self.axes.map(|signed| signed.axis.index());
-        let is_even = (y + 3 - x) % 3 == 1 && (z + 3 - y) % 3 == 1;
-        let against = self
-            .axes
-            .iter()
-            .filter(|signed| signed.sense == Sense::Against);
-        if is_even == (against.count() % 2 == 0) {
-            1
-        } else {
-            -1
+        match self.hand() {
+            AxesHand::Kept => 1,
+            AxesHand::Changed => -1,
         }
     }
 
     /// Whether the new axes have the same hand as the old ones.
     #[must_use]
     pub fn hand(&self) -> AxesHand {
-        if self.determinant() > 0 {
+        if self.matrix().determinant() > 0.0 {
             AxesHand::Kept
         } else {
             AxesHand::Changed
         }
     }
 
-    /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation; its
-    /// components are −1, 0 and 1, so it is exact and not of norm 1.
+    /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
+    /// is not 1, so it is exact: those of its components that are not 0 have one size, and the first
+    /// of them is positive.
     fn quaternion(&self) -> Quaternion<f64> {
-        let m = self.matrix() * f64::from(self.determinant());
-        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] =
-            [0, 1, 2].map(|row| [m[(row, 0)], m[(row, 1)], m[(row, 2)]]);
-        // The columns of 4 q qᵀ (Shepperd's method); the one with the largest diagonal is never zero.
-        let columns = [
-            (
-                1.0 + xx + yy + zz,
-                [1.0 + xx + yy + zz, zy - yz, xz - zx, yx - xy],
-            ),
-            (
-                1.0 + xx - yy - zz,
-                [zy - yz, 1.0 + xx - yy - zz, xy + yx, xz + zx],
-            ),
-            (
-                1.0 - xx + yy - zz,
-                [xz - zx, xy + yx, 1.0 - xx + yy - zz, yz + zy],
-            ),
-            (
-                1.0 - xx - yy + zz,
-                [yx - xy, xz + zx, yz + zy, 1.0 - xx - yy + zz],
-            ),
-        ];
-        let [first, rest @ ..] = columns;
-        let (_, [w, x, y, z]) =
-            rest.into_iter().fold(
-                first,
-                |best, next| if next.0 > best.0 { next } else { best },
-            );
+        let rotation = self.matrix() * f64::from(self.determinant());
+        // Of a rotation Davenport's matrix is 4 q qᵀ − I; the column with the largest diagonal is never
+        // zero (Shepperd's method).
+        let k = davenport(&rotation.map(TwoFloat::from)).map(|entry| entry.hi());
+        let columns = k + Matrix4::identity();
+        let [w, x, y, z] = columns
+            .column(columns.diagonal().imax())
+            .into_owned()
+            .into();
         Quaternion::new(w, x, y, z)
     }
 }
@@ -318,14 +295,11 @@ fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
             .position(|&(one, other)| letter == one || letter == other)
     };
     let pairs = letters.map(pair);
-    let is_distinct = pairs[0] != pairs[1] && pairs[1] != pairs[2] && pairs[0] != pairs[2];
     // A system of the world has north and east, one of a body has forward and right.
     let is_whole = [[0, 1, 2], [2, 3, 4]]
         .iter()
-        .any(|whole| pairs.iter().flatten().all(|pair| whole.contains(pair)));
-    (is_distinct && is_whole && pairs.iter().all(Option::is_some))
-        .then_some(letters)
-        .ok_or_else(unknown)
+        .any(|whole| whole.iter().all(|&place| pairs.contains(&Some(place))));
+    is_whole.then_some(letters).ok_or_else(unknown)
 }
 
 fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes> {

@@ -93,13 +93,11 @@ enum Numbers {
 
 impl Numbers {
     fn of(p: &Attitude, q: &Attitude) -> Self {
-        let is_representable = |hand, left: &Attitude, right: &Attitude| {
-            let (left, right) = (&left.tagged.components, &right.tagged.components);
-            quaternion::representable_product(hand, left, right).is_some()
-        };
+        let (p, q) = (&p.tagged.components, &q.tagged.components);
+        // The products in the other order are those of the other hand.
         let all = Handedness::ALL
             .iter()
-            .all(|&hand| is_representable(hand, p, q) && is_representable(hand, q, p));
+            .all(|&hand| quaternion::representable_product(hand, p, q).is_some());
         if all { Self::AsTyped } else { Self::OfNorm1 }
     }
 }

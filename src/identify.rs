@@ -214,12 +214,11 @@ fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> 
         return disputed;
     }
     // A small turn ties three choices together and settles none; all the other observations may.
-    let with_others = |own: usize| {
-        let counts = |at: usize| at == own || (at != one.0 && at != another.0);
-        let counted = told.iter().filter(|(at, _)| counts(*at)).copied();
+    let without = |left_out: usize| {
+        let counted = told.iter().filter(|(at, _)| *at != left_out).copied();
         agreeing(&counted.collect::<Vec<_>>())
     };
-    let together = [with_others(one.0), with_others(another.0)];
+    let together = [without(another.0), without(one.0)];
     let sides = if together.iter().any(Vec::is_empty) {
         &alone[..]
     } else {

@@ -98,7 +98,7 @@ fn unit_size(matrix: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 /// Davenport's matrix on `[w, x, y, z]`.
-fn davenport(m: &Matrix3<TwoFloat>) -> Matrix4<TwoFloat> {
+pub(crate) fn davenport(m: &Matrix3<TwoFloat>) -> Matrix4<TwoFloat> {
     let at = |row: usize, column: usize| m[(row, column)];
     let (a, b, c) = (at(0, 0), at(1, 1), at(2, 2));
     let (wx, wy, wz) = (

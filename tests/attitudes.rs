@@ -137,6 +137,12 @@ fn nearly_no_turn_is_told_below_a_ten_thousandth_of_a_radian() {
         &[0.005_672_282, 1.002_467_3],
         1e-6,
     );
+    // A vector part of 2.5e-6 is three times as large as its rounding: asin(0.346).
+    let [Fact::NearlyNoTurn(near)] = &told("rotvec 0 0 5e-6")[..] else {
+        panic!("a note")
+    };
+    let uncertain = near.axis_uncertain_by_deg.expect("an angle");
+    assert_close("axis", &[uncertain], &[20.267_901_06], 1e-8);
     // A vector part of 8.660e-7 is as large as its rounding: any axis.
     let [Fact::NearlyNoTurn(near)] = &told("rotvec 0 0 -1.7e-6")[..] else {
         panic!("a note")

@@ -106,6 +106,9 @@ fn turns_that_commute_are_said_to() {
     // Half turns about x and y: ij = k and ji = −k are one rotation.
     let half_turns = compose("0 + i", "0 + j", "1 0 0", Convention::JPL);
     assert_eq!(half_turns.order_matters, OrderMatters::OnlyInSign);
+    // About axes at 45° they lead to quarter turns about z, one way or the other.
+    let half_turns = compose("0 + i", "0 + i + j", "1 0 0", Convention::JPL);
+    assert_eq!(half_turns.order_matters, OrderMatters::Yes);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -192,6 +192,16 @@ fn slerp_keeps_its_sign_beyond_the_other_end() {
         let off = (q.components.w - w).abs().max((q.components.k - z).abs());
         assert!(off < 1e-15, "{t}: {q:?}");
     }
+    // To half a turn the scalar of the way is 0, and the sign of the end stays.
+    let (from, to, half) = (tagged(1.0, 0.0), tagged(0.0, -1.0), 0.5_f64.sqrt());
+    for (t, w, z) in [(0.5, half, -half), (1.5, -half, -half)] {
+        let q = from
+            .slerp(&to, t)
+            .expect("a part")
+            .to_tagged(Convention::HAMILTON);
+        let off = (q.components.w - w).abs().max((q.components.k - z).abs());
+        assert!(off < 1e-15, "{t}: {q:?}");
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

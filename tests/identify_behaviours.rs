@@ -8,7 +8,7 @@ mod simulated;
 
 use common::wasm_bindgen_test;
 use identified::{assert_among, assert_only, follow, identify};
-use quatlas::{Behaviour, BehaviourAxis, ObservationReport, Probe, ProbeKind};
+use quatlas::{Behaviour, BehaviourAxis, ObservationReport, Probe, ProbeKind, libraries};
 use simulated::{Noise, Simulated, every_probe, prints_the_same, random_probe};
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -64,6 +64,16 @@ fn the_tools_own_questions_tell_all_256_in_five() {
                 ]
             );
         }
+    }
+}
+
+/// A record agrees with those behaviours that do all it says: of the eight choices it says five at most.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_record_leaves_open_what_it_does_not_say() {
+    for library in libraries() {
+        let open = library.unestablished().len() + 3;
+        let agreeing = Behaviour::all().filter(|behaviour| behaviour.is_of(library));
+        assert_eq!(agreeing.count(), 1 << open, "{}", library.id);
     }
 }
 

@@ -9,8 +9,8 @@ mod simulated;
 use common::wasm_bindgen_test;
 use identified::{answer, follow, identify};
 use quatlas::{
-    Behaviour, BehaviourAxis, CosineMatrix, Field, Handedness, IdentifyRequest, MatrixLayout,
-    ObservationReport, Probe, ProbeKind, ProblemCode,
+    Behaviour, CosineMatrix, Field, Handedness, IdentifyRequest, MatrixLayout, ObservationReport,
+    Probe, ProbeKind, ProblemCode,
 };
 use simulated::{Noise, Simulated};
 
@@ -372,32 +372,6 @@ fn a_text_longer_than_any_print_is_measured_before_it_is_read() {
             "the text has 4097 bytes; at most 4096 are read"
         );
     }
-}
-
-/// Of observations that do not agree a pair is named where one exists, though others need three.
-#[wasm_bindgen_test(unsupported = test)]
-fn a_pair_that_contradicts_is_named_before_three() {
-    let components = |quaternion: &str, printed: &str| Probe::Components {
-        quaternion: quaternion.to_owned(),
-        printed: printed.to_owned(),
-    };
-    let product = |printed: &str| Probe::Product {
-        a: "i".to_owned(),
-        b: "j".to_owned(),
-        printed: printed.to_owned(),
-    };
-    let (plain, with_names) = ("0.1 0.5 0.5 0.7", "w: 0.1, x: 0.5, y: 0.5, z: 0.7");
-    let report = identify(vec![
-        product("k"),
-        product("-k"),
-        // The same order in and out, the scalar first in, the scalar last out.
-        components(plain, plain),
-        components(plain, with_names),
-        components(with_names, "0.5 0.5 0.7 0.1"),
-    ]);
-    let contradiction = report.contradiction.expect("they contradict");
-    assert_eq!(contradiction.observations, [0, 1]);
-    assert_eq!(contradiction.about, [BehaviourAxis::Handedness]);
 }
 
 /// What was answered with names left the orders open: the same kind is asked again, with other numbers.

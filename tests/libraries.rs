@@ -289,6 +289,8 @@ fn the_rotated_vector_and_which_operand_acts_first() {
         check("rotateAV", of(form, &a) * v);
         check("rotateBThenA", b_then_a);
         check("rotateAThenB", a_then_b);
+        let is_told = library.handedness.is_some();
+        assert_eq!(library.first_to_act().is_some(), is_told, "{id}");
         if let Some(first) = library.first_to_act() {
             check(
                 "rotateABV",

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{problems, read, read_request, wasm_bindgen_test};
+use common::{assert_close, problems, read, read_request, wasm_bindgen_test};
 use quatlas::{Convention, Outcome, Problem, ProblemCode, ReadRequest, Remedy, Request, analyze};
 
 #[track_caller]
@@ -37,6 +37,12 @@ fn the_flipped_axis_is_named_and_turned_round() {
             "0.6 -0.8 0  0.8 0.6 0  0 0 -1",
             "0.6 -0.8 0\n0.8 0.6 0\n0 0 1",
         ),
+        // Nearer to −I than to I: all three turned round would leave a turn by 106°.
+        (
+            "x",
+            "-1 0 0  0 0.28 -0.96  0 0.96 0.28",
+            "1 0 0\n0 0.28 -0.96\n0 0.96 0.28",
+        ),
     ];
     for (axis, mirrored, turn) in cases {
         let found = problem(mirrored);
@@ -50,6 +56,15 @@ fn the_flipped_axis_is_named_and_turned_round() {
         );
         assert_eq!(offered(mirrored), turn);
         assert_eq!(read(turn, "1 0 0", Convention::JPL).notes, []);
+    }
+    // Two decimals leave it 2.6° off its opposite.
+    for (cosine, is_named) in [("0.999", true), ("0.998", false)] {
+        let mirrored = format!("-{cosine} 0.05 0  0.05 {cosine} 0  0 0 1");
+        let found = problem(&mirrored);
+        let names = found.message.ends_with(": the x axis is flipped");
+        assert_eq!(names, is_named, "{}", found.message);
+        let turn = format!("{cosine} 0.05 0\n-0.05 {cosine} 0\n0 0 1");
+        assert_eq!(offered(&mirrored), turn);
     }
 }
 
@@ -91,6 +106,17 @@ fn a_flip_that_the_matrix_does_not_tell_is_the_one_of_the_smallest_turn() {
         );
         assert_eq!(offered(&text(signs)), text([1.0; 3]));
     }
+    // Of an axis at right angles to itself: x would leave a turn by 130°, z by 90°.
+    let mirrored = "0.64 0.48 -0.6  0.48 0.36 0.8  -0.6 0.8 0";
+    assert!(
+        problem(mirrored)
+            .message
+            .ends_with("turning z back leaves the smallest turn")
+    );
+    assert_eq!(
+        offered(mirrored),
+        "0.64 0.48 0.6\n0.48 0.36 -0.8\n-0.6 0.8 0"
+    );
     let found = problem(&text([-1.0; 3]));
     assert!(found.message.ends_with("all three axes are flipped"));
     assert_eq!(offered(&text([-1.0; 3])), text([1.0; 3]));
@@ -125,6 +151,43 @@ fn the_nearest_rotation_is_offered_with_its_distance_and_read_as_declared() {
     };
     assert_eq!(report.jpl.matrix[0], [0.0, -1.0, 0.0]);
     assert_eq!(report.notes, []);
+}
+
+/// A tenth away from a rotation is rounding to one decimal, and read; what is farther away is a mistake.
+#[wasm_bindgen_test(unsupported = test)]
+fn nine_numbers_within_a_tenth_of_a_rotation_are_read() {
+    let stretched = |entry: &str| format!("0 -1 0\n1 0 0\n0 0 {entry}");
+    for near in ["1.02", "1.099", "0.901"] {
+        let report = read(&stretched(near), "1 0 0", Convention::JPL);
+        let half = 0.5_f64.sqrt();
+        assert_close(
+            near,
+            &report.hamilton.unit.array,
+            &[half, 0.0, 0.0, half],
+            1e-15,
+        );
+    }
+    for far in ["1.101", "0.899"] {
+        let found = problem(&stretched(far));
+        assert_eq!(found.code, ProblemCode::NotARotation, "{far}");
+    }
+}
+
+/// Columns of one direction: whatever turns that direction right is as near.
+#[wasm_bindgen_test(unsupported = test)]
+fn of_columns_in_a_line_no_rotation_is_the_nearest() {
+    for text in ["1 0 0 0 0 0 0 0 0", "0.6 0.6 0  0.8 0.8 0  0 0 0"] {
+        let found = problem(text);
+        assert_eq!(found.code, ProblemCode::NotARotation);
+        assert!(
+            found
+                .message
+                .ends_with("no rotation is nearer than all others"),
+            "{}",
+            found.message
+        );
+        assert_eq!(found.suggestion, None);
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

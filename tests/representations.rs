@@ -326,6 +326,8 @@ fn degrees_become_the_nearest_doubles() {
             (&format!("{degrees} about z"), Z, radians, AS_DEGREES),
         ]);
     }
+    let smallest = 1.745_329_251_994_329_8e-292;
+    check_axis_angle(&[("1e-290deg about z", Z, smallest, DEGREES)]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

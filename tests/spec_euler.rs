@@ -342,4 +342,13 @@ fn twelve_of_27_strings_are_sequences() {
         }
     }
     assert_eq!(ranks, [0, 3, 12, 12]);
+    assert_eq!(
+        "xzz"
+            .parse::<EulerSequence>()
+            .map_err(|unknown| unknown.to_string()),
+        Err(
+            "\"xzz\" is no Euler sequence: three axes, none after itself, as in ZYX or xyz"
+                .to_owned()
+        )
+    );
 }

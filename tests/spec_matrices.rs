@@ -286,6 +286,10 @@ fn three_distances_of_attitudes_are_those_of_their_matrices_and_metrics() {
 fn what_the_lectures_test_accepts_without_absolute_values_is_no_rotation() {
     let r = exponential_matrix(&Vector3::new(0.4, -0.7, 1.1));
     assert!(body_to_world(r).is_rotation());
+    // Entries in single precision are off by 6e-8; those of a length that is off by 1e-6 are none.
+    for scale in [1.0 + 3e-7, 1.0 - 3e-7] {
+        assert!(body_to_world(r * scale).is_rotation());
+    }
     let mirror = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, -1.0));
     let equal_columns = Matrix3::from_columns(&[r.column(0), r.column(0), r.column(0)]);
     assert!(
@@ -299,6 +303,8 @@ fn what_the_lectures_test_accepts_without_absolute_values_is_no_rotation() {
         -r,
         equal_columns,
         r * 1.001,
+        r * (1.0 + 6e-7),
+        r * (1.0 - 6e-7),
     ] {
         assert!(!body_to_world(m).is_rotation(), "{m}");
     }
@@ -308,6 +314,15 @@ fn what_the_lectures_test_accepts_without_absolute_values_is_no_rotation() {
     }
     let nearest = Rotation::nearest_to_matrix(&body_to_world(equal_columns));
     assert_eq!(nearest, Err(NoNearestRotation::Singular));
+    // A part in a million tells the turn about the only long column, whatever its length, and less
+    // does not.
+    for (second, is_told) in [(0.6e-6, true), (0.4e-6, false)] {
+        let flat = Matrix3::from_diagonal(&Vector3::new(1.0, second, 0.0));
+        for m in [flat, r * flat, flat * 0.75] {
+            let nearest = Rotation::nearest_to_matrix(&body_to_world(m));
+            assert_eq!(nearest.is_ok(), is_told, "{m}: {nearest:?}");
+        }
+    }
 }
 
 /// NUM-03: the nearest rotation is the polar factor, the limit of `X ← (X + X⁻ᵀ)/2`.

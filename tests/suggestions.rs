@@ -307,7 +307,7 @@ fn no_zero_of_a_suggestion_has_a_sign() {
 fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
     // Stretched along z, the nearest rotation is as far away as the last number is from 1.
     let stretched = |entry: &str| format!("0 -1 0\n1 0 0\n0 0 {entry}");
-    for near in ["1.2", "1.99", "0.02"] {
+    for near in ["1.2", "1.99", "2", "0.02"] {
         let offered = problem(Field::Quaternion, &stretched(near)).suggestion;
         let offered = offered.map(|suggestion| suggestion.remedy);
         assert_eq!(offered, Some(Remedy::NearestRotation), "{near}");

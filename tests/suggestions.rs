@@ -89,6 +89,7 @@ fn a_mark_that_may_tell_something_is_not_removed() {
         ("0.6 & 0 & 0.8 & 0", Remedy::RemoveMark, "0.6  0  0.8  0"),
         ("| -0.6 0 0.8 0 |", Remedy::RemoveMark, "-0.6 0 0.8 0"),
         ("🙂 0.6 0 0.8 0", Remedy::RemoveMark, "0.6 0 0.8 0"),
+        ("🤖 0.6 0 0.8 0", Remedy::RemoveMark, "0.6 0 0.8 0"),
         ("0.6 + 0.8j *", Remedy::RemoveMark, "0.6 + 0.8j"),
     ]);
 }
@@ -147,6 +148,10 @@ fn a_bracket_is_mended_where_it_encloses_a_list() {
             "0 0 0 1)0",
             "1e30)0 0 0 1",
             "0.5 0.5 0.5]5",
+            "5)e3 0 0 0",
+            // A sign would be joined to a number.
+            "0.6 0 0.8 -)1",
+            "0.6 0 -)0.8 0",
             // What was enclosed is not known.
             "2*(0.5 + 0.5i + 0.5j",
             "-(0.5 + 0.5i + 0.5j",
@@ -196,6 +201,11 @@ fn six_places_are_mended_and_no_more() {
         Remedy::AddSign,
         "0.5 + 0.5i + 0.5j + 0.5k",
     )]);
+    // Nor is another problem mended as the first one is: no word and no bracket becomes a zero.
+    check_none_offered(
+        Field::Quaternion,
+        &["1e-999 0.6 0.8 foo", "1e-999 0.6 0 (0.8"],
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -229,6 +239,12 @@ fn only_numbers_have_a_rotation_part() {
             Remedy::RotationPart,
             "0 -1 0 1 0 0 0 0 1",
         ),
+        // Its first nine numbers are no rotation.
+        (
+            "1 0 0 0 0 1 0 1.1 0 0 1 0",
+            Remedy::RotationPart,
+            "1 0 0 0 1 0 0 0 1",
+        ),
     ]);
     check_none_offered(
         Field::Quaternion,
@@ -240,6 +256,11 @@ fn only_numbers_have_a_rotation_part() {
             "0 -1 0 0\n1 0 0 0\n0 0 1 0\n5 6 7 1",
             // A rotation and then a translation.
             "0 -1 0 1 0 0 0 0 1 0 0 0",
+            // Either: a quarter turn about x and then a translation, or no turn; also where it is rounded.
+            "1 0 0 0 0 1 0 -1 0 0 1 5",
+            "1 0 0 0 0 1 0 -0.99 0 0 1 5",
+            // A computed number.
+            "0 -1 0 -(5) 1 0 0 6 0 0 1 7",
             // Words that happen to be as many.
             "0.92 0.1 -0.2 0.38 5 % w x y z and some seconds",
             "0 -1 0 5 1 0 0 6 0 0 1 a",
@@ -319,8 +340,8 @@ fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod laws {
-    use super::{Field, Outcome, Remedy, answer, problem};
     use super::property::for_all;
+    use super::{Field, Outcome, Remedy, answer, problem};
     use proptest::prelude::*;
 
     /// The numbers of a text with the signs before them, whatever stands between; a plus is none.

@@ -2,47 +2,15 @@
 //! or chooses between two readings.
 
 mod common;
+#[path = "common/offered.rs"]
+mod offered;
 #[cfg(not(target_arch = "wasm32"))]
 #[path = "common/property.rs"]
 mod property;
 
-use common::{read_request, wasm_bindgen_test};
-use quatlas::{Convention, Field, Outcome, Problem, Remedy, Suggestion, analyze};
-
-fn answer(field: Field, text: &str) -> Outcome {
-    analyze(&match field {
-        Field::Vector => read_request("1 0 0 0", text, Convention::HAMILTON),
-        _ => read_request(text, "1 0 0", Convention::HAMILTON),
-    })
-}
-
-#[track_caller]
-fn problem(field: Field, text: &str) -> Problem {
-    match answer(field, text) {
-        Outcome::Problems(found) => found.problems[0].clone(),
-        other => panic!("{text:?} is read: {other:?}"),
-    }
-}
-
-#[track_caller]
-fn check_offered(texts: &[(&str, Remedy, &str)]) {
-    for (text, remedy, expected) in texts {
-        let expected = Suggestion {
-            remedy: *remedy,
-            text: (*expected).to_owned(),
-        };
-        let problem = problem(Field::Quaternion, text);
-        assert_eq!(problem.suggestion.as_deref(), Some(&expected), "{text}");
-    }
-}
-
-#[track_caller]
-fn check_none_offered(field: Field, texts: &[&str]) {
-    for text in texts {
-        let problem = problem(field, text);
-        assert_eq!(problem.suggestion, None, "{text}: {}", problem.message);
-    }
-}
+use common::wasm_bindgen_test;
+use offered::{check_none_offered, check_offered, problem};
+use quatlas::{Field, Remedy};
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_mark_that_may_tell_something_is_not_removed() {
@@ -340,9 +308,11 @@ fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod laws {
+    use super::offered::{answer, problem};
     use super::property::for_all;
-    use super::{Field, Outcome, Remedy, answer, problem};
+    use super::{Field, Remedy};
     use proptest::prelude::*;
+    use quatlas::Outcome;
 
     /// The numbers of a text with the signs before them, whatever stands between; a plus is none.
     fn numbers(text: &str) -> Vec<(String, String)> {

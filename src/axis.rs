@@ -91,7 +91,7 @@ pub(crate) fn letter_ahead<'s, 't>(
     Some((axis.map(|part| part * sign + 0.0), rest))
 }
 
-fn letter_axis(letter: &str) -> Option<Vector3<f64>> {
+pub(crate) fn letter_axis(letter: &str) -> Option<Vector3<f64>> {
     match letter {
         "x" | "X" => Some(Vector3::x()),
         "y" | "Y" => Some(Vector3::y()),

@@ -5,7 +5,7 @@
 
 use crate::angle::AngleUnit;
 use crate::angles::{Angle, UnitRule};
-use crate::axis::{alone, axis_of_node};
+use crate::axis::{alone, axis_of_node, letter_axis};
 use crate::constructor::{self, Call, ends_with_path};
 use crate::euler_sequence::{EulerFrame, EulerSequence};
 use crate::matrix_rows;
@@ -409,7 +409,7 @@ const RADIANS: UnitRule = UnitRule::Library(AngleUnit::Radians);
 /// `'z'`, as in `from_euler('z', 90, degrees=True)`
 fn single_axis(node: &Node<'_>) -> Option<nalgebra::Vector3<f64>> {
     match node.kind {
-        NodeKind::Word(word) if word.chars().count() == 1 => axis_of_node(node).ok(),
+        NodeKind::Word(word) => letter_axis(word),
         _ => None,
     }
 }

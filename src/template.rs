@@ -53,8 +53,8 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// Where in the line it is what stands somewhere in the numbers by name: within a number, or from the
-    /// first to the last that is meant; nothing where it is all of them.
+    /// Where in the line it is what stands somewhere in the numbers by name, within one of them; nothing
+    /// where several are meant.
     pub(crate) fn place(&self, named: Span) -> Option<Span> {
         let meant = self
             .places
@@ -67,7 +67,6 @@ impl Line {
                 Some(Span::from(start..start + (named.end - named.start)))
             }
             [(_, only)] => Some(*only),
-            [(_, first), .., (_, last)] if meant.len() < self.places.len() => Some(first.to(*last)),
             _ => None,
         }
     }
@@ -82,10 +81,10 @@ impl Line {
                 old.starts_with(name).then_some(number)
             })
             .collect::<Option<_>>()?;
-        let mut places: Vec<_> = self.places.iter().zip(numbers).collect();
-        if places.len() < self.places.len() || named.matches(", ").count() != PLACES.len() - 1 {
+        if named.matches(", ").count() != PLACES.len() - 1 {
             return None;
         }
+        let mut places: Vec<_> = self.places.iter().zip(numbers).collect();
         places.sort_by_key(|((_, line), _)| std::cmp::Reverse(line.start));
         let mut written = line.to_owned();
         for ((_, place), number) in places {

@@ -2,7 +2,7 @@
 
 use crate::attitude::{Attitude, Declared};
 use crate::axis_mapping::{AxesChange, AxisMapping};
-use crate::convention::{ComponentOrder, ComponentSign, Convention};
+use crate::convention::{ComponentOrder, Convention};
 use crate::describe::turn;
 use crate::endpoint::{Endpoint, Meaning};
 use crate::library::{Library, family, first_to_act, libraries, stores_columns};
@@ -37,10 +37,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         }
     };
     let text = &*request.quaternion;
-    // A text that is too long is nobody's line.
-    let pasted = (text.len() <= MAX_TEXT_BYTES)
-        .then(|| pasted(text))
-        .flatten();
+    let pasted = pasted(text);
     let attitude = attitude(text, &from, pasted);
     let (attitude, world, body) = match (attitude, world, body) {
         (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
@@ -245,26 +242,18 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
 /// order in which those of this end do, so that the line is read here as what it was written for.
 fn construct(template: &str, components: &Components, meaning: &Meaning) -> String {
     let line = template::write(template, components);
-    let sample = template::write(
-        template,
-        &Components::of(&told_apart(), ComponentOrder::ScalarFirst),
-    );
+    let numbers = Quaternion::new(1.0, 2.0, 3.0, 4.0);
+    let sample = Components::of(&numbers, ComponentOrder::ScalarFirst);
+    let sample = template::write(template, &sample);
     let read = parse_rotation(&sample, Field::Quaternion, meaning.order);
     match read {
         Ok(ParsedRotation::Quaternion(read))
-            if read.unknown_constructor.is_none()
-                && read.order_source == OrderSource::Declared
-                && read.quaternion != told_apart() =>
+            if read.unknown_constructor.is_none() && read.order_source == OrderSource::Declared =>
         {
             template::write_in_order(template, components, meaning.order)
         }
         _ => line,
     }
-}
-
-/// Four numbers that no other order leaves as they are.
-const fn told_apart() -> Quaternion<f64> {
-    Quaternion::new(1.0, 2.0, 3.0, 4.0)
 }
 
 fn change_between(from: &Meaning, to: &Meaning) -> Change {
@@ -343,7 +332,7 @@ fn product_order(from: &Meaning, to: &Meaning) -> ProductOrder {
     let (Some(one), Some(other)) = (from.handedness, to.handedness) else {
         return ProductOrder::NotEstablished;
     };
-    let sign = |meaning: &Meaning| meaning.numbers().component_sign() == ComponentSign::Canonical;
+    let sign = |meaning: &Meaning| meaning.numbers().component_sign();
     if (one == other) == (sign(from) == sign(to)) {
         ProductOrder::Same
     } else {
@@ -361,7 +350,8 @@ fn mapped(mapping: AxisMapping) -> MappedAxes {
     }
 }
 
-/// The library whose call stands in the text first; no fragment begins that of another library.
+/// The library whose call stands in the text first; no fragment begins that of another library. A text
+/// that is too long is nobody's line.
 fn pasted(text: &str) -> Option<&'static Library> {
     if is_too_long(text) {
         return None;

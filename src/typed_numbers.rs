@@ -40,8 +40,9 @@ fn typed_numbers(text: &str) -> Vec<String> {
     let mut numbers = Vec::new();
     let mut signs = String::new();
     let mut rest = text;
-    while let Some(character) = rest.chars().next().map(plain_character) {
-        let mut length = rest.chars().next().map_or(1, char::len_utf8);
+    while let Some(first) = rest.chars().next() {
+        let character = plain_character(first);
+        let mut length = first.len_utf8();
         if character.is_ascii_digit() {
             length = number_length(rest);
             let digits: String = rest[..length].chars().map(plain_character).collect();

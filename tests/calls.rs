@@ -6,7 +6,7 @@ mod texts;
 
 use common::wasm_bindgen_test;
 use quatlas::ProblemCode;
-use texts::{check_read, check_refusal};
+use texts::{check_read, check_refusal, check_refused};
 
 /// Calls with an axis along y of a length that stands for `{}`, and the axis as they write it.
 const AXIS_AND_ANGLE: &[(&str, &str, bool)] = &[
@@ -123,14 +123,130 @@ fn a_call_inside_other_calls_is_found() {
         check_read(&[(&nested(depth), "0.5rad about y")]);
     }
     // Beyond that it is refused, not read as something else.
-    let text = nested(12);
-    let code = ProblemCode::UnknownWord;
+    for depth in [8, 12] {
+        let text = nested(depth);
+        let code = ProblemCode::UnknownWord;
+        check_refusal(
+            &text,
+            &text,
+            "1 0 0",
+            code,
+            "AngleAxisd(0.5, Vector3d(0, 1, 0))",
+            "not applied",
+        );
+    }
+    // A matrix of it is the same rotation, whichever of its numbers would be a row.
+    check_read(&[
+        (
+            "Eigen::Matrix3d(Eigen::AngleAxisd(0.5, Eigen::Vector3d(0, 1, 0)))",
+            "0.5rad about y",
+        ),
+        (
+            "glm::mat3(glm::angleAxis(0.5f, glm::vec3(0, 1, 0)))",
+            "0.5rad about y",
+        ),
+    ]);
+}
+
+/// What is done with the rotation inside would be lost.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_call_that_computes_is_not_passed_over() {
+    use ProblemCode::{UnknownComponent, UnknownWord};
+    let calls = [
+        "inverse(AngleAxisd(0.5, Vector3d(0, 1, 0)))",
+        "np.transpose(R.from_rotvec([0, 0, 1]))",
+        "np.matrix(R.from_rotvec([0, 0, 1]), order='F')",
+        // Nor are its named arguments those of a constructor.
+        "inverse(axis=[0, 0, 1], degrees=90)",
+        "foo(axis=[0, 0, 1], degrees=90)",
+        "foo(matrix=[[0, -1, 0], [1, 0, 0], [0, 0, 1]])",
+        // Nor does it only hold numbers.
+        "np.transpose([[0, -1, 0], [1, 0, 0], [0, 0, 1]])",
+        "flip([[0, -1, 0], [1, 0, 0], [0, 0, 1]])",
+    ];
+    for text in calls {
+        check_refusal(text, text, "1 0 0", UnknownWord, text, "not applied");
+    }
+    let vector = "flip(1, 2, 3)";
     check_refusal(
-        &text,
-        &text,
-        "1 0 0",
-        code,
-        "AngleAxisd(0.5, Vector3d(0, 1, 0))",
+        vector,
+        "1 0 0 0",
+        vector,
+        UnknownWord,
+        vector,
         "not applied",
     );
+    check_refused(&[
+        (
+            "Quaternion(AngleAxisd(0.5, Vector3d(0, 1, 0)), inverse=True)",
+            UnknownComponent,
+            "inverse",
+            "may change the numbers",
+        ),
+        (
+            "AngleAxisd(axis=[0, 0, 1], angle=1)",
+            UnknownComponent,
+            "axis",
+            "may change the numbers",
+        ),
+        (
+            "rotvec flip(1, 2, 3)",
+            UnknownWord,
+            "flip(1, 2, 3)",
+            "not a number",
+        ),
+        // A component is a number, and no rotation.
+        (
+            "w: AngleAxisd(0.5, Vector3d(0, 1, 0))",
+            UnknownWord,
+            "AngleAxisd(0.5, Vector3d(0, 1, 0))",
+            "not a number",
+        ),
+    ]);
+}
+
+/// Two numbers of a quaternion, and letters in two places.
+#[wasm_bindgen_test(unsupported = test)]
+fn arguments_that_a_call_does_not_take_are_refused() {
+    use ProblemCode::{UnknownSequence, UnknownWord, WrongCount};
+    check_refused(&[
+        ("tf2::Quaternion(z, 0.5)", UnknownWord, "z", "not a number"),
+        (
+            "mathutils.Quaternion(1, 2)",
+            WrongCount,
+            "mathutils.Quaternion(1, 2)",
+            "in place of 4",
+        ),
+        (
+            "q.setFromAxisAngle(0.5)",
+            WrongCount,
+            "q.setFromAxisAngle(0.5)",
+            "not the arguments",
+        ),
+        (
+            "np.matrix(5)",
+            WrongCount,
+            "np.matrix(5)",
+            "1 number in place of 9",
+        ),
+        (
+            "glm::mat3(1.0)",
+            UnknownWord,
+            "glm::mat3(1.0)",
+            "fills rows in some libraries",
+        ),
+        (
+            "quaternion_from_euler(0.1, 0.2, 0.3, 'sxyz', axes='rzyx')",
+            UnknownWord,
+            "'sxyz'",
+            "not a number",
+        ),
+        // The axis of one angle is a letter.
+        (
+            "R.from_euler('z_axis', 0.5)",
+            UnknownSequence,
+            "'z_axis'",
+            "no Euler sequence",
+        ),
+    ]);
 }

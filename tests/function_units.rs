@@ -101,6 +101,7 @@ fn up_to_a_full_turn_and_with_a_unit_nothing_is_told() {
     for text in [
         "cos(0.4) + sin(0.4) k",
         "cos(6.2832) + sin(6.2832) k",
+        "cos(6.29) + sin(-6.29) k",
         "cos(-6.28) + sin(3) k",
         "cos(22.5°) + sin(22.5 deg) k",
         "cos(22.5 rad) + sin(22.5rad) k",

@@ -96,6 +96,28 @@ fn a_line_that_is_drawn_looks_like_a_minus_where_it_may_be_one() {
         ("3i ─ 2j + k", "─", "minus"),
     ];
     check_refused(Field::Vector, ProblemCode::UnexpectedCharacter, &vectors);
+    // Every dash, and every dash beside a bar, which together are no corner.
+    for dash in "─━┄┅┈┉╌╍═╴╶╸╺╼╾".chars() {
+        let alone = dash.to_string();
+        for text in [format!("{dash} 0.6 0.8 0 0"), format!("0.6 {dash} 0.8 0 0")] {
+            let refused = [(&*text, &*alone, "minus")];
+            check_refused(
+                Field::Quaternion,
+                ProblemCode::UnexpectedCharacter,
+                &refused,
+            );
+        }
+    }
+    for bar in "│┃┆┇┊┋╎╏║╵╷╹╻╽╿".chars() {
+        let run = format!("{bar}─");
+        let text = format!("0.6 {run} 0.8 0 0");
+        let refused = [(&*text, &*run, "minus")];
+        check_refused(
+            Field::Quaternion,
+            ProblemCode::UnexpectedCharacter,
+            &refused,
+        );
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]
@@ -128,6 +150,8 @@ fn three_dashes_are_signs_or_the_mark_of_a_document() {
         ("--- 0.6 0 0 0.8", "---", "---"),
         ("  ---k", "---", "---"),
         ("- 1\n- 2\n- 3\n---4", "---", "---"),
+        // A comment behind the mark has a space before it.
+        ("---# c\n- 1\n- 0", "---# c\n-", "----"),
     ];
     check_refused(Field::Quaternion, ProblemCode::Unexpected, &signs);
     let vectors = [("---3 2 1", "---", "---"), ("3i\n---2j + k", "---", "---")];
@@ -280,6 +304,13 @@ fn of_signs_in_a_row_only_those_of_a_sum_are_read() {
         ("cos(--pi/8) 0 0 sin(pi/8)", "--", "--"),
         ("2*--0.3 0 0 0.8", "--", "--"),
     ];
+    let many = "-".repeat(30);
+    let shown = format!("signs {}… one", "-".repeat(24));
+    check_refused(
+        Field::Quaternion,
+        ProblemCode::Unexpected,
+        &[(&format!("{many}1 0 0 0"), &many, &shown)],
+    );
     check_refused(Field::Quaternion, ProblemCode::Unexpected, &texts);
     let vectors = [
         ("1 --2 3", "--", "--"),

@@ -206,6 +206,15 @@ fn words_of_declarations_and_arguments_of_templates_say_something() {
     check_read(&[
         ("rotvec<deg>(0, 30, 0)", "30deg about y"),
         ("rotvec<rad>(0, 0.5, 0)", "0.5rad about y"),
+        ("(double(0.8), 0, double(0.6), 0)", "w=0.8, x=0, y=0.6, z=0"),
+        (
+            "(const Eigen::Quaterniond q(0.8, 0, 0.6, 0))",
+            "w=0.8, x=0, y=0.6, z=0",
+        ),
+        (
+            "{const auto q = [0.8, 0, 0.6, 0]}",
+            "w=0.8, x=0, y=0.6, z=0",
+        ),
         ("Quaternion<xyzw>(0, 0.6, 0, 0.8)", "w=0.8, x=0, y=0.6, z=0"),
         (
             "Quaternion<double>(w=0.8, x=0, y=0.6, z=0)",
@@ -374,4 +383,93 @@ fn only_touching_shifts_behind_a_name_begin_a_matrix() {
             "another unit",
         ),
     ]);
+}
+
+/// Words in quotes are words, and no name of a call; a quote ends in its line.
+#[wasm_bindgen_test(unsupported = test)]
+fn quotes_make_a_word_of_one_line() {
+    use ProblemCode::{UnexpectedCharacter, UnknownWord};
+    check_refused(&[
+        (
+            "'Float64Array'(4) [0.6, 0, 0.8, 0]",
+            UnknownWord,
+            "'Float64Array'",
+            "what these numbers are",
+        ),
+        (
+            "'10' 020 0 0",
+            UnknownWord,
+            "'10'",
+            "what these numbers are",
+        ),
+        (
+            "q' = 0.6 0 0.8 0\np' = 1 0 0 0",
+            UnexpectedCharacter,
+            "'",
+            "no meaning",
+        ),
+    ]);
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_setting_stands_behind_a_call_too_and_its_value_is_a_word() {
+    check_read(&[(
+        "np.array([0, 0, 0.6, 0.8]), order=xyzw",
+        "w=0.8, x=0, y=0, z=0.6",
+    )]);
+    check_refused(&[(
+        "order: 321, roll: 10 deg, pitch: 20 deg, yaw: 30 deg",
+        ProblemCode::UnknownComponent,
+        "order",
+        "not a component",
+    )]);
+}
+
+/// In the field of a vector; behind a comma a list is a member, and no factor stands before it.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_name_of_the_whole_stands_before_a_call() {
+    for text in ["x = Eigen::Vector3d(1, 2, 3)", "x = np.array([1, 2, 3])"] {
+        let vector = quatlas::parse_vector(text, quatlas::Field::Vector).expect(text);
+        assert_eq!(vector.as_slice(), [1.0, 2.0, 3.0], "{text}");
+    }
+    let text = "2, [0, 0, 1]";
+    let code = ProblemCode::Unexpected;
+    check_refusal(text, "1 0 0 0", text, code, "[0, 0, 1]", "a list cannot");
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn forty_characters_of_an_unknown_constructor_are_told() {
+    let told = |length: usize| {
+        let text = format!("{:a>length$}(1, 0, 0, 0)", "quat");
+        let name = format!("{:a>length$}", "quat");
+        let told = facts(&read(&text, "1 0 0", Convention::HAMILTON));
+        let found = told.into_iter().find_map(|fact| match fact {
+            Fact::UnknownConstructor(unknown) => Some(unknown.name),
+            _ => None,
+        });
+        (name, found.expect("a note"))
+    };
+    let (name, found) = told(40);
+    assert_eq!(found, name);
+    let (name, found) = told(41);
+    assert_eq!(found, format!("{}…", &name[..40]));
+}
+
+/// What is closed does not count as open.
+#[wasm_bindgen_test(unsupported = test)]
+fn any_number_of_brackets_may_stand_beside_each_other() {
+    let text = format!("{}0.6, 0, 0.8, 0", "(0)+".repeat(100));
+    check_read(&[(&text, "w=0.6, x=0, y=0.8, z=0")]);
+}
+
+/// As many numbers as a homogeneous matrix has, announced as one.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_matrix_of_four_rows_is_named() {
+    let numbers = "0 -1 0 5 1 0 0 6 0 0 1 7 0 0 0 1";
+    check_refused(&[(
+        "matrix 0 -1 0 5 1 0 0 6 0 0 1 7 0 0 0 1",
+        ProblemCode::WrongCount,
+        numbers,
+        "(4 by 4)",
+    )]);
 }

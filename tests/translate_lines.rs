@@ -371,6 +371,27 @@ fn a_change_of_axes_keeps_any_norm() {
     }
 }
 
+/// A norm that is 1 but for rounding does not round the new numbers once more; any other is kept.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_change_of_axes_makes_no_rounding_of_a_norm_its_own() {
+    let [from, to] = ["tf2", "eigen"].map(Endpoint::library);
+    // Four units of roundoff above 1, and six.
+    for (text, scalar) in [
+        ("0 0 0 1.0000000000000004", 1.0),
+        ("0 0 0 1.0000000000000007", 1.000_000_000_000_000_7),
+    ] {
+        let request = TranslateRequest {
+            body_axes: "FRD to FLU".to_owned(),
+            world_axes: "FRD to FLU".to_owned(),
+            ..TranslateRequest::new(text, from.clone(), to.clone())
+        };
+        let Outcome::Translate(report) = analyze(&Request::Translate(request)) else {
+            panic!("it is read")
+        };
+        assert_eq!(report.to.array, [0.0, 0.0, 0.0, scalar], "{text}");
+    }
+}
+
 /// The array is passed on to a constructor of the other order only where it stands as it did before:
 /// numbers that were reordered are told by that mistake already.
 #[wasm_bindgen_test(unsupported = test)]

@@ -43,6 +43,7 @@ fn an_angle_about_an_axis() {
         ("720000000000090 deg about z", Z, FRAC_PI_2, DEGREES),
         ("1440.0° / 32 about z", Z, FRAC_PI_4, DEGREES),
         ("-90deg about -x", X.map(|part| -part), -FRAC_PI_2, DEGREES),
+        ("45deg about +z", Z, FRAC_PI_4, DEGREES),
         ("0.785 rad about (1, 1, 0)", [1.0, 1.0, 0.0], 0.785, RADIANS),
         ("0.785rad about 1 1 0", [1.0, 1.0, 0.0], 0.785, RADIANS),
         ("0.785 about k", Z, 0.785, AS_RADIANS),

@@ -62,12 +62,11 @@ pub(crate) fn degrees_in_radians(degrees: f64) -> f64 {
         let enlarged = consts::PI * (TwoFloat::from(degrees * ENLARGEMENT) / 180.0);
         return enlarged.hi() / ENLARGEMENT;
     }
-    let exact = (consts::PI * (TwoFloat::from(degrees) / 180.0)).hi();
-    if exact.is_finite() {
-        return exact;
+    if !degrees.is_finite() {
+        // Infinity less infinity, in the parts of a double-double, would be no number.
+        return degrees;
     }
-    // The parts of a double-double overflow before its value does.
-    degrees / 180.0 * std::f64::consts::PI
+    (consts::PI * (TwoFloat::from(degrees) / 180.0)).hi()
 }
 
 /// Two turns, after which even a quaternion is what it was.

@@ -329,6 +329,16 @@ fn degrees_become_the_nearest_doubles() {
     }
     let smallest = 1.745_329_251_994_329_8e-292;
     check_axis_angle(&[("1e-290deg about z", Z, smallest, DEGREES)]);
+    // The largest double; of the angle of a turn whole turns are left out, of a vector they are not.
+    let text = "rotvec 0 0 1.7976931348623157e308 deg";
+    let ParsedRotation::RotationVector(parsed) = rotation(text) else {
+        panic!("{text}");
+    };
+    let largest = f64::MAX / 180.0 * PI;
+    assert!(
+        (parsed.vector_rad.z / largest - 1.0).abs() < 1e-15,
+        "{text}"
+    );
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -78,6 +78,9 @@ pub(crate) fn announced(
         };
     }
     let inner = spoken::inside(rest).unwrap_or(rest);
+    if let Some(word) = spoken::telling_label(inner) {
+        return Err(Fault::unknown_keyword(word.span, word.text));
+    }
     if let Some(found) = named_parts(inner) {
         if let Some(label) = inner.first().filter(|word| is_derived_label(word.text)) {
             return Err(Fault::derived_label(label.span, label.text));

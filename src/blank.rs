@@ -8,7 +8,7 @@ use crate::problem::Span;
 use winnow::ascii::{line_ending, space0};
 use winnow::combinator::{alt, eof, fail, peek, terminated};
 use winnow::prelude::*;
-use winnow::stream::LocatingSlice;
+use winnow::stream::{LocatingSlice, Stream};
 use winnow::token::{one_of, take_till, take_until, take_while};
 
 pub(crate) type Input<'t> = LocatingSlice<&'t str>;
@@ -138,6 +138,23 @@ fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
     .parse_next(input)
 }
 
+/// The text with a space in place of each comment.
+pub(crate) fn without_comments(text: &str) -> String {
+    let mut input = Input::new(text);
+    let mut bare = String::with_capacity(text.len());
+    while let Some(character) = input.chars().next() {
+        let start = input.checkpoint();
+        if comment.parse_next(&mut input).is_ok() {
+            bare.push(' ');
+        } else {
+            input.reset(&start);
+            bare.push(character);
+            input.next_slice(character.len_utf8());
+        }
+    }
+    bare
+}
+
 /// The lines and corners of which frames are drawn; not the diagonals, which stand for nothing.
 pub(crate) fn is_drawn(character: char) -> bool {
     matches!(character, '\u{2500}'..='\u{257f}') && !matches!(character, '\u{2571}'..='\u{2573}')
@@ -230,6 +247,14 @@ fn is_unseen(character: char) -> bool {
     )
 }
 
+/// Breaks of a line or a page that most programs show as nothing, or as a box.
+fn is_unseen_break(character: char) -> bool {
+    matches!(
+        character,
+        '\u{b}' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}'
+    )
+}
+
 /// The first character inside a number that is not seen there, or hardly: nothing but such characters
 /// stand between two digits. What is not seen at all joins a number to a sign and a point as well.
 pub(crate) fn hidden_in_number(text: &str, skipped: Span) -> Option<(Span, char)> {
@@ -241,7 +266,9 @@ pub(crate) fn hidden_in_number(text: &str, skipped: Span) -> Option<(Span, char)
         let is_of_number = |character: char| character.is_ascii_digit() || character == '.';
         is_of_number(before) && (is_of_number(after) || "+-−–".contains(after))
     } else {
-        let is_hidden = |character| is_unseen(character) || is_space_of_numbers(character);
+        let is_hidden = |character| {
+            is_unseen(character) || is_space_of_numbers(character) || is_unseen_break(character)
+        };
         between.chars().all(is_hidden) && before.is_ascii_digit() && after.is_ascii_digit()
     };
     joins.then(|| {

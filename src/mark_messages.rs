@@ -139,6 +139,11 @@ fn is_visible(character: char) -> bool {
 /// What a character is called that cannot be shown, with its number.
 fn hidden_name(character: char) -> String {
     let name = match character {
+        '\u{b}' => "the vertical tab ",
+        '\u{c}' => "the form feed ",
+        '\u{85}' => "the line break ",
+        '\u{2028}' => "the line separator ",
+        '\u{2029}' => "the paragraph separator ",
         '\u{a0}' => "the no-break space ",
         '\u{ad}' => "the soft hyphen ",
         '\u{2007}' => "the figure space ",

@@ -188,7 +188,9 @@ fn without_last_mark(_: &Problem, text: &str) -> Vec<String> {
         .trim_end()
         .trim_end_matches(|c: char| "+-−–*/·×÷√".contains(c) || c.is_whitespace());
     let removed = &text[bare.len()..];
-    if removed.starts_with(is_sign) || removed.contains(['-', '−', '–']) {
+    // `q*` is the conjugate.
+    if removed.starts_with(is_sign) || removed.starts_with('*') || removed.contains(['-', '−', '–'])
+    {
         return Vec::new();
     }
     vec![bare.to_owned()]

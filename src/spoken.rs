@@ -157,16 +157,47 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
 
 /// The only label of tokens, where it names what was made of a rotation.
 fn derived_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
-    let (label, rest) = tokens.split_first()?;
-    let is_label = is_derived_label(label.text);
-    let mark = rest.iter().position(|token| is_mark(Some(token)))?;
-    // A type before it, or its unit after it, as in `rpy_rate (deg):`.
-    let after = &rest[mark + 1..];
+    let mark = tokens.iter().position(|token| is_mark(Some(token)))?;
+    let (label, after) = (&tokens[..mark], &tokens[mark + 1..]);
+    // A type or a form before it, or its unit after it, as in `rpy_rate (deg):`.
     let is_alone = at_depth_zero(after).all(|at| !is_mark(after.get(at)));
-    let is_beside = rest[..mark]
+    let is_beside = label
         .iter()
         .all(|token| !matches!(token.kind, TokenKind::Number(_)));
-    (is_label && is_alone && is_beside).then_some(*label)
+    let mut words = label.iter().filter(|token| is_name(token));
+    let derived = words.find(|word| is_derived_label(word.text))?;
+    (is_alone && is_beside).then_some(*derived)
+}
+
+/// The word in a label behind an announcement that would change its numbers: `rotvec in degrees: …`.
+pub(crate) fn telling_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
+    const CHANGES: [&str; 17] = [
+        "arcmin",
+        "arcsec",
+        "clockwise",
+        "cw",
+        "grad",
+        "half",
+        "left",
+        "minus",
+        "mrad",
+        "neg",
+        "negative",
+        "not",
+        "rev",
+        "shadow",
+        "turn",
+        "turns",
+        "unit",
+    ];
+    let label = &tokens[..tokens.iter().position(|token| is_mark(Some(token)))?];
+    let is_label = label.iter().all(is_name);
+    let mut words = label.iter().filter(|_| is_label);
+    let tells = |word: &&Token<'_>| {
+        let lower = word.text.to_ascii_lowercase();
+        CHANGES.contains(&lower.as_str()) || AngleUnit::named(&lower).is_some()
+    };
+    words.find(tells).copied()
 }
 
 /// The `rpy="…"` of elements of URDF, or more than one of them without an element.

@@ -1,6 +1,6 @@
 //! The numbers that stand in a text, whether it can be read or not: no suggestion makes others of them.
 
-use crate::blank::{is_blank, is_drawn};
+use crate::blank::{YamlDash, is_blank, is_drawn, without_comments};
 use crate::rewrites::plain_character;
 use crate::suggestion::{Remedy, Suggestion};
 
@@ -9,6 +9,12 @@ use crate::suggestion::{Remedy, Suggestion};
 pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
     let typed = || typed_numbers(text);
     let rewritten = || typed_numbers(&suggestion.text);
+    // A dash stays what it is, a minus or the mark of an item, and no number is joined to a comment.
+    let is_laid_out_alike = || {
+        let outside = |text: &str| typed_numbers(&without_comments(text));
+        YamlDash::of(text) == YamlDash::of(&suggestion.text)
+            && outside(text) == outside(&suggestion.text)
+    };
     match suggestion.remedy {
         // These write other numbers by their names.
         Remedy::DecimalPoints
@@ -30,7 +36,7 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
         | Remedy::SeparateNumbers
         | Remedy::AddSign
         | Remedy::NameNumber
-        | Remedy::SameUnit => rewritten() == typed(),
+        | Remedy::SameUnit => rewritten() == typed() && is_laid_out_alike(),
     }
 }
 

@@ -181,7 +181,12 @@ fn the_dash_of_a_list_has_any_white_space_behind_it() {
 }
 
 /// What is not seen and what groups digits, by the words that name it.
-const HIDDEN: [(char, &str); 15] = [
+const HIDDEN: [(char, &str); 20] = [
+    ('\u{b}', "vertical tab U+000B"),
+    ('\u{c}', "form feed U+000C"),
+    ('\u{85}', "line break U+0085"),
+    ('\u{2028}', "line separator U+2028"),
+    ('\u{2029}', "paragraph separator U+2029"),
     ('\u{a0}', "no-break space U+00A0"),
     ('\u{ad}', "soft hyphen U+00AD"),
     ('\u{2006}', "U+2006"),

@@ -166,10 +166,10 @@ fn words_before_sixteen_numbers_are_not_passed_over() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn words_of_declarations_and_arguments_of_templates_say_something() {
-    use ProblemCode::{UnknownComponent, UnknownWord};
+    use ProblemCode::UnknownWord;
     check_refused(&[
-        ("rpy var: 0.1 0.2 0.3", UnknownComponent, "var", "var"),
-        ("rpy var = 0.1 0.2 0.3", UnknownComponent, "var", "var"),
+        ("rpy var: 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
+        ("rpy var = 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
         ("var rpy: 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
         (
             "var 0.5 0.5 -0.5 0.5",
@@ -472,4 +472,39 @@ fn a_matrix_of_four_rows_is_named() {
         numbers,
         "(4 by 4)",
     )]);
+}
+
+/// Between a word that announces and the mark of a label nothing is passed over that would change the numbers.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_label_behind_an_announcement_is_not_passed_over() {
+    use ProblemCode::UnknownWord;
+    check_refused(&[
+        (
+            "rotvec in degrees: 0 0 7",
+            UnknownWord,
+            "degrees",
+            "what these",
+        ),
+        ("rotvec turns: 0 0 0.2", UnknownWord, "turns", "what these"),
+        (
+            "rotation vector in mrad = 0 0 7",
+            UnknownWord,
+            "mrad",
+            "what these",
+        ),
+        ("gibbs neg: 0 0 0.3", UnknownWord, "neg", "what these"),
+        ("mrp inv: 0 0 0.3", UnknownWord, "inv", "an inverse"),
+        (
+            "quaternion inverse: 0.8 0 0 0.6",
+            UnknownWord,
+            "inverse",
+            "an inverse",
+        ),
+        ("rpy half = 0.1 0.2 0.3", UnknownWord, "half", "what these"),
+    ]);
+    check_read(&[
+        ("rotvec deg: 0 0 7", "7deg about z"),
+        ("rotvec (deg): 0 0 7", "7deg about z"),
+        ("rotvec tool: 0 0 0.2", "0.2rad about z"),
+    ]);
 }

@@ -323,12 +323,7 @@ fn words_of_two_descriptions_are_refused_at_the_second() {
             "rate",
             "a rate",
         ),
-        (
-            "imu rate rpy: 0.1 0.2 0.3",
-            UnknownWord,
-            "imu",
-            "what these numbers are",
-        ),
+        ("imu rate rpy: 0.1 0.2 0.3", UnknownWord, "rate", "a rate"),
     ]);
     check_read(&[
         ("zyx = 0.4 -0.6 0.9", "zyx 0.4 -0.6 0.9"),

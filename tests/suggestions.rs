@@ -306,6 +306,21 @@ fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
     }
 }
 
+/// A dash stays a minus or the mark of an item, a number stays out of comments, and `q*` is a conjugate.
+#[wasm_bindgen_test(unsupported = test)]
+fn no_layout_of_a_text_becomes_another() {
+    check_none_offered(
+        Field::Quaternion,
+        &[
+            "0.51 -0.52 # e\n- 9\n0.53 -0.54",
+            "]- 0.51\n- -0.52\n- 0.53\n- -0.54",
+            "- 0.51)\n- -0.52\n- 0.53\n0.54)- ",
+            "[0.92, 0, 0, 0.38]*",
+            "0.92 - 0.38 k*",
+        ],
+    );
+}
+
 #[cfg(not(target_arch = "wasm32"))]
 mod laws {
     use super::offered::{answer, problem};

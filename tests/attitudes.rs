@@ -2,10 +2,10 @@
 
 mod common;
 
-use common::{assert_close, facts, read, wasm_bindgen_test};
+use common::{assert_close, facts, read, report, wasm_bindgen_test};
 use quatlas::{
     AngleUnit, AngleUnitAssumed, Convention, Direction, EulerSequence, Fact, Form, Function,
-    MatrixConvention, Outcome, ReadReport, ReadRequest, Request, Side, Survivor, analyze,
+    MatrixConvention, ReadRequest, Side, Survivor,
 };
 
 /// Yaw 30°, pitch 20°, roll 10° about the moving axes; from half angles, with 40 digits.
@@ -15,14 +15,6 @@ const YPR_WXYZ: [f64; 4] = [
     0.189_307_857_412,
     0.239_298_337_744_730_33,
 ];
-
-#[track_caller]
-fn report(request: ReadRequest) -> ReadReport {
-    match analyze(&Request::Read(request)) {
-        Outcome::Read(report) => *report,
-        other => panic!("no report: {other:?}"),
-    }
-}
 
 #[wasm_bindgen_test(unsupported = test)]
 fn three_angles_are_the_same_attitude_in_every_description() {

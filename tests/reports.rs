@@ -2,21 +2,13 @@
 
 mod common;
 
-use common::{assert_close, read, wasm_bindgen_test};
+use common::{assert_close, read, report, wasm_bindgen_test};
 use quatlas::nalgebra::Quaternion;
 use quatlas::{
     Convention, CosineMatrix, Direction, Endpoint, EulerSequence, Fact, MatrixConvention, Note,
-    OutOfRange, OutOfRangeNumber, Outcome, ReadReport, ReadRequest, Request, Rotation, Side,
-    TranslateReport, TranslateRequest, analyze,
+    OutOfRange, OutOfRangeNumber, Outcome, ReadRequest, Request, Rotation, Side, TranslateReport,
+    TranslateRequest, analyze,
 };
-
-#[track_caller]
-fn report(request: ReadRequest) -> ReadReport {
-    match analyze(&Request::Read(request)) {
-        Outcome::Read(report) => *report,
-        other => panic!("no report: {other:?}"),
-    }
-}
 
 /// Yoosefian 2021, eqs. 6, 7, 13 and 14: of the four numbers as typed, whatever their norm.
 #[wasm_bindgen_test(unsupported = test)]

@@ -73,6 +73,14 @@ pub(crate) fn read_request(quaternion: &str, vector: &str, convention: Conventio
 }
 
 #[track_caller]
+pub(crate) fn report(request: ReadRequest) -> ReadReport {
+    match analyze(&Request::Read(request)) {
+        Outcome::Read(report) => *report,
+        other => panic!("no report: {other:?}"),
+    }
+}
+
+#[track_caller]
 pub(crate) fn read(quaternion: &str, vector: &str, convention: Convention) -> ReadReport {
     match analyze(&read_request(quaternion, vector, convention)) {
         Outcome::Read(report) => *report,

@@ -1,6 +1,6 @@
 //! The table of libraries: what each of them printed is computed again by this core.
 //!
-//! Every record that was run has its numbers in `src/observations.json`. Each test below takes one
+//! Every record that was run has its numbers in `src/library/observations.json`. Each test below takes one
 //! thing that a record says, computes what a library of that kind prints, and compares.
 
 mod common;

@@ -1,4 +1,4 @@
-//! The crates of `src/observations.json`, run again: what they print today is what was recorded.
+//! The crates of `src/library/observations.json`, run again: what they print today is what was recorded.
 
 mod common;
 #[path = "common/rerun.rs"]

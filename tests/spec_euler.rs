@@ -5,7 +5,7 @@ mod common;
 mod reference;
 
 use common::{all_conventions, assert_close, nearest, wasm_bindgen_test};
-use quatlas::euler::Survivor;
+use quatlas::Survivor;
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
     Convention, EulerFrame, EulerSequence, MatrixConvention, Rotation, TaggedQuaternion,

@@ -16,7 +16,7 @@ export interface Evidence {
 
 /** What a library printed; nothing where nothing is recorded. */
 export async function evidenceOf(id: string): Promise<Evidence | undefined> {
-  const { default: file } = await import("../src/observations.json");
+  const { default: file } = await import("../src/library/observations.json");
   const inputs = file.inputs as unknown as Evidence["inputs"];
   const records = file.observations as unknown as ({ id: string } & Evidence["printed"])[];
   const record = records.find((record) => record.id === id);

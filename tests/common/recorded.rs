@@ -18,7 +18,7 @@ pub(crate) struct Recorded {
 
 pub(crate) fn recorded() -> Recorded {
     let mut file: Value =
-        serde_json::from_str(include_str!("../../src/observations.json")).expect("JSON");
+        serde_json::from_str(include_str!("../../src/library/observations.json")).expect("JSON");
     Recorded {
         inputs: file["inputs"].take(),
         observations: file["observations"].as_array().expect("a list").clone(),

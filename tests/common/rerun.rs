@@ -8,7 +8,7 @@ const TOLERANCE: f64 = 1e-14;
 /// A library's own calls and nothing else. Its quaternion stays its own between them; what is
 /// compared is named `[w, x, y, z]`, and a matrix `[row][column]`.
 pub(crate) trait Library {
-    /// Its name in `src/observations.json` and as a crate.
+    /// Its name in `src/library/observations.json` and as a crate.
     const ID: &str;
     /// What is recorded and cannot be run again here, each with the reason.
     const NOT_RERUN: &[(&str, &str)] = &[];
@@ -60,7 +60,7 @@ pub(crate) struct Compared {
 /// Everything that is recorded of a library, computed again.
 pub(crate) fn run_again<L: Library>() -> Vec<Compared> {
     let file: Value =
-        serde_json::from_str(include_str!("../../src/observations.json")).expect("JSON");
+        serde_json::from_str(include_str!("../../src/library/observations.json")).expect("JSON");
     let inputs = Inputs::new(&file["inputs"]);
     let observations = file["observations"].as_array().expect("a list");
     let observation = observations
@@ -110,7 +110,8 @@ pub(crate) fn run_again<L: Library>() -> Vec<Compared> {
 
 /// The version of which the numbers were recorded is the one that runs here.
 pub(crate) fn assert_version<L: Library>() {
-    let file: Value = serde_json::from_str(include_str!("../../src/libraries.json")).expect("JSON");
+    let file: Value =
+        serde_json::from_str(include_str!("../../src/library/libraries.json")).expect("JSON");
     let mut records = file.as_array().expect("a list").iter();
     let record = records.find(|record| record["id"] == L::ID).expect(L::ID);
     let name = format!("name = \"{}\"", L::ID);

@@ -1,7 +1,7 @@
 // One object a library: its own calls, and nothing else. A quaternion stays the library's own
 // between them; what is compared is named [w, x, y, z], and a matrix [row][column] as printed.
 //
-//   id          its name in src/libraries.json and src/observations.json
+//   id          its name in src/library/libraries.json and src/library/observations.json
 //   package     its name on npm
 //   tolerance   of its numbers, absolute and scaled by max(1, |recorded|)
 //   named       the library's quaternion with these four named components

@@ -1,4 +1,4 @@
-// The libraries of src/observations.json that npm installs in seconds, run again: what they print
+// The libraries of src/library/observations.json that npm installs in seconds, run again: what they print
 // today is what was recorded.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -7,8 +7,8 @@ import { libraries } from "./adapters.mjs";
 import { differences, entriesOf, runAgain } from "./rerun.mjs";
 
 const read = (path) => JSON.parse(readFileSync(new URL(`../../${path}`, import.meta.url), "utf8"));
-const { inputs, observations } = read("src/observations.json");
-const records = read("src/libraries.json");
+const { inputs, observations } = read("src/library/observations.json");
+const records = read("src/library/libraries.json");
 const locked = read("package-lock.json").packages;
 
 for (const library of libraries) {

@@ -1,6 +1,6 @@
 // What was recorded of a library, computed again by its adapter and compared number by number.
 
-/** By the keys of src/observations.json: how each was found, in the calls of any library. */
+/** By the keys of src/library/observations.json: how each was found, in the calls of any library. */
 const RECIPES = {
   arrayOfA: (library, { a }) => library.array(library.named(...a)),
   constructed1234: (library) => library.components(library.construct(0.1, 0.2, 0.3, 0.4)),

@@ -1,4 +1,4 @@
-"""Runs the Python libraries of src/libraries.json again and compares with src/observations.json.
+"""Runs the Python libraries of src/library/libraries.json again and compares with src/library/observations.json.
 
     python3 tests/vectors/run_python.py [id ...]
 
@@ -123,8 +123,8 @@ def same(recorded, printed, tolerance):
 
 def main(wanted):
     warnings.simplefilter("ignore")
-    document = json.loads((ROOT / "src/observations.json").read_text())
-    records = {record["id"]: record for record in json.loads((ROOT / "src/libraries.json").read_text())}
+    document = json.loads((ROOT / "src/library/observations.json").read_text())
+    records = {record["id"]: record for record in json.loads((ROOT / "src/library/libraries.json").read_text())}
     recorded = {observation["id"]: observation for observation in document["observations"]}
     if unknown := set(wanted) - set(RUNS):
         sys.exit(f"no such id: {', '.join(sorted(unknown))}; there are: {', '.join(RUNS)}")

@@ -1,7 +1,7 @@
 // How a core is asked: what it refuses is thrown, and after a trap it is made anew.
 import type { Outcome, Request } from "../../pkg/quatlas.js";
 
-/** What a core exports for this; see `src/wasm.rs`. */
+/** What a core exports for this; see `src/wasm/mod.rs`. */
 export interface Core {
   analyze: (
     request: unknown,

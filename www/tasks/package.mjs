@@ -34,7 +34,7 @@ export async function buildPackage() {
   const title = "What is compiled into quatlas: licences and notices.";
   writeFileSync(join(out, "THIRD_PARTY.txt"), licencesText(title, cratesInWasm()));
   for (const name of ["libraries.json", "observations.json"]) {
-    copyFileSync(join(root, "src", name), join(out, name));
+    copyFileSync(join(root, "src", "library", name), join(out, name));
   }
 }
 

@@ -1,0 +1,246 @@
+//! A text to an attitude, and the attitude to numbers in a convention.
+
+use crate::analyze::describe::rules;
+use crate::analyze::matrix::of_matrix;
+use crate::analyze::plain::{coordinates, plain, rows3, rows4};
+use crate::contract::{
+    AngleUnitAssumed, Column, Components, Form, PairedMatrix, ReadAxisAngle, ReadEulerAngles,
+    ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
+    ReadRotationVector,
+};
+use crate::convention::Convention;
+use crate::convention::OrderSource;
+use crate::convention::angle::{AngleUnit, UnitSource};
+use crate::convention::matrix::MatrixConvention;
+use crate::problem::fault::Fault;
+use crate::problem::{Field, Problem, Span};
+use crate::rotation::Rotation;
+use crate::rotation::quaternion::TaggedQuaternion;
+use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
+use crate::text::mend::unit::{self, UnitTexts};
+use crate::text::mend::with_suggestion;
+use crate::text::{ParsedQuaternion, ParsedRotation, RowMarks, parse_rotation};
+use nalgebra::Vector3;
+use std::f64::consts::{PI, TAU};
+
+/// What four numbers and nine numbers are declared to mean.
+#[derive(Clone, Copy)]
+pub(crate) struct Declared {
+    pub(crate) convention: Convention,
+    pub(crate) matrix: MatrixConvention,
+}
+
+/// An attitude that was read from text.
+pub(crate) struct Attitude {
+    pub(crate) form: Form,
+    /// How the text of a quaternion told its order.
+    pub(crate) parsed: Option<ParsedQuaternion>,
+    /// The unit of the angles, or of those inside functions, where it was only assumed.
+    pub(crate) unit: Option<AngleUnitAssumed>,
+    /// What marks the rows of a matrix in the text.
+    pub(crate) row_marks: Option<RowMarks>,
+    pub(crate) declared: Convention,
+    /// As typed, with the order that was used.
+    pub(crate) tagged: TaggedQuaternion,
+    pub(crate) rotation: Rotation,
+}
+
+impl Attitude {
+    /// The attitude that a text holds, or its first problem with what to write instead.
+    pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        let read = |text: &str| Self::read(text, field, declared);
+        let attitude = read(text).map_err(|problem| {
+            with_suggestion(problem, text, &|candidate| read(candidate).map(drop))
+        })?;
+        let is_read = |text: &str| read(text).is_ok();
+        Ok(Self {
+            unit: attitude.unit.clone().or_else(|| {
+                let texts = unit::inside_functions(text, &is_read)?;
+                Some(unit_assumed(AngleUnit::Radians, texts))
+            }),
+            ..attitude
+        })
+    }
+
+    fn read(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        let Declared { convention, matrix } = declared;
+        let span = Span::of_trimmed(text);
+        let in_field = |fault: Fault| fault.in_field(field);
+        let (form, rotation, unit) = match parse_rotation(text, field, convention.order)? {
+            ParsedRotation::Quaternion(parsed) => {
+                return Self::of_quaternion(parsed, convention, span).map_err(in_field);
+            }
+            ParsedRotation::AxisAngle(parsed) => {
+                let read = ReadAxisAngle {
+                    axis: coordinates(&parsed.axis),
+                    angle_rad: plain(parsed.angle_rad),
+                };
+                let rotation = Rotation::from_axis_angle_in(
+                    parsed.unit.unit(),
+                    parsed.axis.into(),
+                    parsed.angle_rad,
+                );
+                (Form::AxisAngle(read), rotation, Some(parsed.unit))
+            }
+            ParsedRotation::RotationVector(parsed) => {
+                let read = ReadRotationVector {
+                    vector_rad: coordinates(&parsed.vector_rad),
+                };
+                let rotation = Rotation::from_rotation_vector_rad(parsed.vector_rad.into());
+                let is_long = parsed.vector_rad.amax() > TAU;
+                let unit = is_long.then_some(parsed.unit);
+                (Form::RotationVector(read), rotation, unit)
+            }
+            ParsedRotation::HalfAngleVector(parsed) => {
+                let read = ReadHalfAngleVector {
+                    vector_rad: coordinates(&parsed.vector_rad),
+                };
+                let rotation = half_angle_exponential(parsed.vector_rad.into());
+                let is_long = parsed.vector_rad.amax() > PI;
+                let unit = is_long.then_some(parsed.unit);
+                (Form::HalfAngleVector(read), rotation, unit)
+            }
+            ParsedRotation::GibbsVector(numbers) => {
+                let vector = coordinates(&numbers);
+                let form = Form::GibbsVector(ReadGibbsVector { vector });
+                (form, AxisVector::Gibbs(numbers).to_rotation(), None)
+            }
+            ParsedRotation::ModifiedRodrigues(numbers) => {
+                let parameters = coordinates(&numbers);
+                let form = Form::ModifiedRodrigues(ReadModifiedRodrigues { parameters });
+                let rotation = AxisVector::ModifiedRodrigues(numbers).to_rotation();
+                (form, rotation, None)
+            }
+            ParsedRotation::EulerAngles(parsed) => {
+                let read = ReadEulerAngles {
+                    sequence: parsed.sequence,
+                    angles_rad: parsed.angles_rad.map(plain),
+                };
+                let rotation =
+                    Rotation::from_euler_in(parsed.unit.unit(), parsed.sequence, parsed.angles_rad);
+                (Form::EulerAngles(read), rotation, Some(parsed.unit))
+            }
+            ParsedRotation::Matrix(entries) => {
+                let (read, rotation) =
+                    of_matrix(entries, matrix, span).map_err(|refusal| Problem {
+                        suggestion: refusal.suggestion,
+                        ..in_field(refusal.fault)
+                    })?;
+                (Form::Matrix(read), Ok(rotation), None)
+            }
+        };
+        let rotation = rotation.map_err(|_| in_field(Fault::too_large(span)))?;
+        let is_matrix = matches!(form, Form::Matrix(_));
+        Ok(Self {
+            form,
+            parsed: None,
+            unit: match unit {
+                Some(UnitSource::Assumed(unit)) => {
+                    let unit_of = |text: &str| {
+                        let read = parse_rotation(text, field, convention.order);
+                        read.ok().and_then(|read| read.unit())
+                    };
+                    Some(unit_assumed(unit, unit::for_all(text, &unit_of)))
+                }
+                _ => None,
+            },
+            row_marks: is_matrix.then(|| RowMarks::of(text)),
+            declared: convention,
+            tagged: rotation.to_tagged(convention),
+            rotation,
+        })
+    }
+
+    fn of_quaternion(
+        parsed: ParsedQuaternion,
+        declared: Convention,
+        span: Span,
+    ) -> Result<Self, Fault> {
+        let tagged = TaggedQuaternion {
+            components: parsed.quaternion,
+            convention: Convention {
+                order: parsed.order,
+                ..declared
+            },
+        };
+        let rotation = Rotation::from_tagged(&tagged).map_err(|_| Fault::zero_quaternion(span))?;
+        Ok(Self {
+            form: Form::Quaternion,
+            parsed: Some(parsed),
+            unit: None,
+            row_marks: None,
+            declared,
+            tagged,
+            rotation,
+        })
+    }
+
+    pub(crate) fn as_read(&self) -> ReadQuaternion {
+        let convention = self.tagged.convention;
+        ReadQuaternion {
+            form: self.form,
+            components: Components::of(&self.tagged.components, convention.order),
+            order_source: self
+                .parsed
+                .as_ref()
+                .map_or(OrderSource::Declared, |parsed| parsed.order_source),
+            convention,
+            norm: self.norm(),
+        }
+    }
+
+    /// Whether the text is a call whose order is not known here, so that the declared one was used.
+    pub(crate) fn is_of_unknown_constructor(&self) -> bool {
+        let parsed = self.parsed.as_ref();
+        parsed.is_some_and(|parsed| parsed.unknown_constructor.is_some())
+    }
+
+    /// The norm as typed, where a double can hold it.
+    pub(crate) fn norm(&self) -> Option<f64> {
+        let norm = self.tagged.norm();
+        norm.is_finite().then_some(norm)
+    }
+
+    pub(crate) fn column(&self, convention: Convention, vector: Vector3<f64>) -> Column {
+        let quaternion = self.tagged.to_convention(convention);
+        let unit = self.rotation.to_tagged(convention);
+        let direction = convention.operator();
+        let shown =
+            |tagged: &TaggedQuaternion| Components::of(&tagged.components, convention.order);
+        let matrix = self.rotation.matrix(direction);
+        Column {
+            convention,
+            quaternion: shown(&quaternion),
+            unit: shown(&unit),
+            conjugate: shown(&quaternion.conjugate()),
+            inverse: quaternion.inverse().as_ref().map(shown),
+            matrix: rows3(&matrix),
+            inverse_matrix: rows3(&matrix.transpose()),
+            image: self
+                .rotation
+                .rotate_within_range(vector, direction)
+                .as_ref()
+                .map(coordinates),
+            left_product_matrix: rows4(&quaternion.left_product_matrix()),
+            right_product_matrix: rows4(&quaternion.right_product_matrix()),
+            rules: rules(convention),
+        }
+    }
+
+    pub(crate) fn paired(&self, convention: MatrixConvention) -> PairedMatrix {
+        PairedMatrix {
+            convention,
+            rows: rows3(&self.rotation.to_tagged_matrix(convention).entries),
+            form: self.declared.cosine_matrix(convention),
+        }
+    }
+}
+
+/// That this unit was assumed, with the texts that say it.
+pub(crate) fn unit_assumed(unit: AngleUnit, texts: UnitTexts) -> AngleUnitAssumed {
+    AngleUnitAssumed {
+        unit,
+        in_degrees: texts.in_degrees,
+        in_radians: texts.in_radians,
+    }
+}

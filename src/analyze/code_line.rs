@@ -1,0 +1,186 @@
+//! The line of code of a library, written with numbers and read back.
+
+use crate::contract::Components;
+use crate::convention::ComponentOrder;
+use crate::problem::Span;
+
+const PLACES: [&str; 4] = ["{w}", "{x}", "{y}", "{z}"];
+
+/// The line with the numbers in their places, each as the shortest text that reads back.
+pub(crate) fn write(template: &str, components: &Components) -> String {
+    let Components { w, x, y, z, .. } = components;
+    let numbers = PLACES.iter().zip([w, x, y, z]);
+    numbers.fold(template.to_owned(), |line, (place, number)| {
+        line.replace(place, &format!("{number:?}"))
+    })
+}
+
+/// The line with its numbers in this order, whatever the template's: for lines that only hold numbers, of
+/// which nothing but a word beside them tells the order.
+pub(crate) fn write_in_order(
+    template: &str,
+    components: &Components,
+    order: ComponentOrder,
+) -> String {
+    let mut written = std::iter::successors(next_place(template), |(at, place)| {
+        let (next, place) = next_place(&template[at + place.len()..])
+            .map(|(further, next)| (at + place.len() + further, next))?;
+        Some((next, place))
+    });
+    let Components { w, x, y, z, .. } = components;
+    let numbers = match order {
+        ComponentOrder::ScalarFirst => [w, x, y, z],
+        ComponentOrder::ScalarLast => [x, y, z, w],
+    };
+    let mut line = String::new();
+    let mut rest = 0;
+    for number in numbers {
+        if let Some((at, place)) = written.next() {
+            line.push_str(&template[rest..at]);
+            line.push_str(&format!("{number:?}"));
+            rest = at + place.len();
+        }
+    }
+    line + &template[rest..]
+}
+
+/// A line that is written like a template.
+pub(crate) struct Line {
+    /// Its four numbers by name: `w: 1, x: 0, …`.
+    pub(crate) named: String,
+    /// Where each number stands in that, and where in the line.
+    places: [(Span, Span); 4],
+}
+
+impl Line {
+    /// Where in the line it is what stands somewhere in the numbers by name, within one of them; nothing
+    /// where several are meant.
+    pub(crate) fn place(&self, named: Span) -> Option<Span> {
+        let meant = self
+            .places
+            .iter()
+            .filter(|(place, _)| place.start <= named.end && named.start <= place.end);
+        let meant: Vec<_> = meant.collect();
+        match meant[..] {
+            [(place, line)] if place.start <= named.start && named.end <= place.end => {
+                let start = line.start + (named.start - place.start);
+                Some(Span::from(start..start + (named.end - named.start)))
+            }
+            [(_, only)] => Some(*only),
+            _ => None,
+        }
+    }
+
+    /// The line with other numbers, by name as in `named`; nothing where these are not four numbers.
+    pub(crate) fn with_numbers(&self, line: &str, named: &str) -> Option<String> {
+        let numbers: Vec<&str> = named
+            .split(", ")
+            .zip(self.named.split(", "))
+            .map(|(new, old)| {
+                let (name, number) = new.split_once(": ")?;
+                old.starts_with(name).then_some(number)
+            })
+            .collect::<Option<_>>()?;
+        if named.matches(", ").count() != PLACES.len() - 1 {
+            return None;
+        }
+        let mut places: Vec<_> = self.places.iter().zip(numbers).collect();
+        places.sort_by_key(|((_, line), _)| std::cmp::Reverse(line.start));
+        let mut written = line.to_owned();
+        for ((_, place), number) in places {
+            written.replace_range(place.start..place.end, number);
+        }
+        Some(written)
+    }
+}
+
+/// The four numbers of a line that is written like the template.
+///
+/// White space does not matter, except inside a number, nor what stands before the first `=` of both.
+pub(crate) fn read(template: &str, line: &str) -> Option<Line> {
+    let template: String = template.split_whitespace().collect();
+    let characters: Vec<(usize, char)> = line
+        .char_indices()
+        .filter(|(_, character)| !character.is_whitespace())
+        .collect();
+    numbers(&template, &characters).or_else(|| {
+        let (_, template) = template.split_once('=')?;
+        let value = characters
+            .iter()
+            .position(|(_, character)| *character == '=')
+            .map_or(&characters[..], |at| &characters[at + 1..]);
+        numbers(template, value)
+    })
+}
+
+/// `line` holds the characters that count, each with its place.
+fn numbers(template: &str, line: &[(usize, char)]) -> Option<Line> {
+    let (mut template, mut line) = (template, without_semicolons(line));
+    let mut named = String::new();
+    let mut places = Vec::new();
+    while let Some((at, place)) = next_place(template) {
+        line = after(&template[..at], line)?;
+        template = &template[at + place.len()..];
+        // A number ends where the text after its place goes on, or with an f of single precision.
+        let end = line
+            .iter()
+            .position(|(_, c)| !(c.is_ascii_digit() || "+-.eE".contains(*c)));
+        let (number, rest) = line.split_at(end.unwrap_or(line.len()));
+        let (first, last) = (number.first()?.0, number.last()?.0);
+        // Two numbers with white space between them are not one, and every character here has one byte.
+        if last - first + 1 != number.len() {
+            return None;
+        }
+        let number: String = number.iter().map(|(_, character)| character).collect();
+        number.parse::<f64>().ok()?;
+        if !named.is_empty() {
+            named.push_str(", ");
+        }
+        named.push_str(place.trim_matches(['{', '}']));
+        named.push_str(": ");
+        let start = named.len();
+        named.push_str(&number);
+        places.push((Span::from(start..named.len()), Span::from(first..last + 1)));
+        let template_has_suffix = template.starts_with('f');
+        line = match rest.split_first() {
+            Some(((_, 'f'), rest)) if !template_has_suffix => rest,
+            Some(((_, 'f'), _)) => rest,
+            _ if template_has_suffix => return None,
+            _ => rest,
+        };
+    }
+    let rest = after(template.trim_end_matches(';'), line)?;
+    Some(Line {
+        named,
+        places: places.try_into().ok().filter(|_| rest.is_empty())?,
+    })
+}
+
+fn without_semicolons(line: &[(usize, char)]) -> &[(usize, char)] {
+    let end = line
+        .iter()
+        .rposition(|(_, character)| *character != ';')
+        .map_or(0, |last| last + 1);
+    &line[..end]
+}
+
+/// What follows a beginning; nothing where the line begins otherwise.
+fn after<'line>(beginning: &str, line: &'line [(usize, char)]) -> Option<&'line [(usize, char)]> {
+    let mut rest = line;
+    for expected in beginning.chars() {
+        let ((_, found), after) = rest.split_first()?;
+        if *found != expected {
+            return None;
+        }
+        rest = after;
+    }
+    Some(rest)
+}
+
+/// Where the next number stands in a template, and which.
+fn next_place(template: &str) -> Option<(usize, &'static str)> {
+    PLACES
+        .iter()
+        .filter_map(|place| template.find(place).map(|at| (at, *place)))
+        .min()
+}

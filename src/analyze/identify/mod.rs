@@ -1,0 +1,392 @@
+//! Which convention a library uses, from what it printed.
+//!
+//! Every observation is compared with what each of the 256 behaviours prints; those remain that agree
+//! with all observations. The next probe is the one whose answer leaves the fewest, on average.
+
+// A probe as code.
+mod code;
+
+// What a library is asked, and what it may answer.
+mod prediction;
+
+// A probe in texts to numbers.
+pub(crate) mod reading;
+
+/// What a library means by three angles, by a matrix and by a small turn.
+pub mod recognition;
+
+// What is settled, in words.
+mod sentence;
+
+use crate::analyze::identify::code::code;
+use crate::analyze::identify::prediction::{Printed, Question};
+use crate::analyze::identify::reading::{printed, question, rounding};
+use crate::analyze::identify::sentence::sentence;
+use crate::contract::probe::{MatrixLayout, Probe};
+use crate::contract::request::IdentifyRequest;
+use crate::contract::{
+    Contradiction, IdentifyReport, Labels, LibraryMatch, NextProbe, ObservationProblem,
+    ObservationReport, Told, Unexplained, remaining,
+};
+use crate::convention::{Direction, Function};
+use crate::library::behaviour::{Behaviour, BehaviourAxis};
+use crate::library::{Language, libraries};
+use crate::problem::is_too_long;
+use std::collections::{HashMap, HashSet};
+
+/// Noise of single precision, after a few operations on numbers of size 1.
+const SINGLE_PRECISION: f64 = 1e-5;
+
+/// What is farther from every behaviour than this is a mistake, unless the numbers are rounded: a
+/// small turn to first order is up to this far from the exact one.
+const FIRST_ORDER: f64 = 2e-3;
+
+/// Of numbers with one decimal or none: how far the right ones may be off, and how far wrong ones are
+/// still believed to be rounded.
+const COARSEST: f64 = 0.05;
+const COARSEST_BELIEVED: f64 = 0.1;
+
+/// A behaviour that is this many times farther away than the nearest is not the one.
+const CLEARLY_FARTHER: f64 = 3.0;
+
+/// Four or nine rounded numbers of norm 1 or √3 are together this many roundings off, and more where
+/// those that went in are rounded too.
+const ROUNDINGS: f64 = 2.0;
+const MOST_ROUNDINGS: f64 = 4.0;
+
+/// What can be said of a library, whatever was entered.
+pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
+    let read: Vec<Read> = request
+        .observations
+        .iter()
+        .map(|probe| Read::of(probe, request.language))
+        .collect();
+    let told: Vec<(usize, &Agreeing)> = read
+        .iter()
+        .enumerate()
+        .filter_map(|(at, read)| Some((at, read.agreeing.as_ref()?)))
+        .collect();
+    let possible = agreeing(&told);
+    let left = remaining(&possible);
+    // A kind that was told already is asked again only where no other can tell more, and the very same
+    // question never.
+    let was_told = |is_same: &dyn Fn(&Probe) -> bool| {
+        told.iter()
+            .any(|(at, _)| is_same(&request.observations[*at]))
+    };
+    let next = next_probe(request, &possible, &|probe| {
+        was_told(&|other| other.kind() == probe.kind())
+    })
+    .or_else(|| {
+        next_probe(request, &possible, &|probe| {
+            was_told(&|other| other.asks_the_same(probe))
+        })
+    });
+    IdentifyReport {
+        next,
+        codes: request
+            .observations
+            .iter()
+            .map(|probe| code(probe, request.language))
+            .collect(),
+        possible: possible.len(),
+        settled: left.settled(),
+        labels: labels(&left.direction),
+        libraries: matches(&possible),
+        contradiction: contradiction(&told),
+        sentence: sentence(&request.name, &left),
+        remaining: left,
+        observations: read.into_iter().map(|read| read.report).collect(),
+    }
+}
+
+/// Whether each behaviour agrees with an observation, in the order of [`Behaviour::all`].
+struct Agreeing(Vec<bool>);
+
+impl Agreeing {
+    fn behaviours(&self) -> Vec<Behaviour> {
+        let all = Behaviour::all().zip(&self.0);
+        all.filter_map(|(behaviour, &agrees)| agrees.then_some(behaviour))
+            .collect()
+    }
+}
+
+/// An observation, and the behaviours that agree with it.
+struct Read {
+    report: ObservationReport,
+    /// Absent where it tells nothing: not made yet, or not understood.
+    agreeing: Option<Agreeing>,
+}
+
+impl Read {
+    fn of(probe: &Probe, language: Language) -> Self {
+        let nothing = |report| Self {
+            report,
+            agreeing: None,
+        };
+        if !is_too_long(probe.printed()) && probe.printed().trim().is_empty() {
+            return nothing(ObservationReport::Empty);
+        }
+        let both = question(probe, language).and_then(|asked| Ok((asked, printed(probe)?)));
+        match both {
+            Ok((question, printed)) => Self::of_observation(&question, &printed, rounding(probe)),
+            Err(problem) => nothing(ObservationReport::Problem(ObservationProblem { problem })),
+        }
+    }
+
+    fn of_observation(question: &Question, printed: &Printed, rounding: f64) -> Self {
+        let distance = |behaviour: &Behaviour| {
+            let answers = question.answers(behaviour);
+            let distances = answers
+                .iter()
+                .map(|answer| answer.distance(printed, behaviour.array));
+            distances.fold(f64::INFINITY, f64::min)
+        };
+        let mut of_answer = HashMap::new();
+        let distances: Vec<f64> = Behaviour::all()
+            .map(|behaviour| {
+                let answer = of_answer.entry(question.key(&behaviour));
+                *answer.or_insert_with(|| distance(&behaviour))
+            })
+            .collect();
+        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let believed = (MOST_ROUNDINGS * rounding).min(COARSEST_BELIEVED);
+        let rounding = (ROUNDINGS * rounding).min(COARSEST);
+        if nearest > FIRST_ORDER.max(believed) {
+            let distance = nearest.is_finite().then_some(nearest);
+            return Self {
+                report: ObservationReport::Unexplained(Unexplained { distance }),
+                agreeing: None,
+            };
+        }
+        let near = SINGLE_PRECISION
+            .max(rounding)
+            .max(CLEARLY_FARTHER * nearest);
+        let is_near = distances.into_iter().map(|distance| distance <= near);
+        let agreeing = Agreeing(is_near.collect());
+        let possible = agreeing.behaviours();
+        Self {
+            report: ObservationReport::Told(Told {
+                possible: possible.len(),
+                settles: remaining(&possible).settled(),
+                distance: nearest,
+            }),
+            agreeing: Some(agreeing),
+        }
+    }
+}
+
+/// The behaviours that agree with all of these.
+fn agreeing(told: &[(usize, &Agreeing)]) -> Vec<Behaviour> {
+    Behaviour::all()
+        .enumerate()
+        .filter(|(at, _)| told.iter().all(|(_, Agreeing(agrees))| agrees[*at]))
+        .map(|(_, behaviour)| behaviour)
+        .collect()
+}
+
+/// Observations that do not agree: a pair if there is one, or else a set of which none can be spared.
+fn contradiction(told: &[(usize, &Agreeing)]) -> Option<Contradiction> {
+    if !agreeing(told).is_empty() {
+        return None;
+    }
+    let pair = told.iter().enumerate().find_map(|(at, one)| {
+        let mut pairs = told[at + 1..].iter().map(|other| vec![*one, *other]);
+        pairs.find(|pair| agreeing(pair).is_empty())
+    });
+    let disagreeing = pair.unwrap_or_else(|| without_bystanders(told));
+    Some(Contradiction {
+        about: disputed(&disagreeing, told),
+        observations: disagreeing.iter().map(|(at, _)| *at).collect(),
+    })
+}
+
+/// What is left of observations that do not agree when every one is taken out that is not needed for it.
+fn without_bystanders<'a>(told: &[(usize, &'a Agreeing)]) -> Vec<(usize, &'a Agreeing)> {
+    let mut needed = told.to_vec();
+    let mut at = 0;
+    while at < needed.len() {
+        let taken_out = needed.remove(at);
+        if !agreeing(&needed).is_empty() {
+            needed.insert(at, taken_out);
+            at += 1;
+        }
+    }
+    needed
+}
+
+/// The choices about which some of the observations disagree.
+fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
+    let alone: Vec<_> = disagreeing
+        .iter()
+        .map(|(_, told)| told.behaviours())
+        .collect();
+    let disputed = settled_differently(&alone);
+    let [one, another] = disagreeing else {
+        return disputed;
+    };
+    if !disputed.is_empty() {
+        return disputed;
+    }
+    // A small turn ties three choices together and settles none; all the other observations may.
+    let without = |left_out: usize| {
+        let counted = told.iter().filter(|(at, _)| *at != left_out).copied();
+        agreeing(&counted.collect::<Vec<_>>())
+    };
+    let together = [without(another.0), without(one.0)];
+    let sides = if together.iter().any(Vec::is_empty) {
+        &alone[..]
+    } else {
+        &together
+    };
+    match settled_differently(sides) {
+        none if none.is_empty() => one_choice_apart(sides),
+        disputed => disputed,
+    }
+}
+
+/// The choices that two of these have settled to different values.
+fn settled_differently(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
+    let settled: Vec<_> = sides
+        .iter()
+        .filter_map(|possible| Some((remaining(possible).settled(), possible.first()?)))
+        .collect();
+    let is_disputed = |axis: &BehaviourAxis| {
+        let mut values = settled
+            .iter()
+            .filter(|(settled, _)| settled.contains(axis))
+            .map(|(_, behaviour)| axis.is_second(behaviour));
+        let first = values.next();
+        values.any(|value| Some(value) != first)
+    };
+    BehaviourAxis::ALL.into_iter().filter(is_disputed).collect()
+}
+
+/// The choices of which another value makes what one side allows what the other allows.
+fn one_choice_apart(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
+    let [one, other] = sides else {
+        return Vec::new();
+    };
+    let is_apart_by = |axis: &BehaviourAxis| {
+        let mut changed = one.iter().map(|behaviour| behaviour.with_other(*axis));
+        changed.any(|behaviour| other.contains(&behaviour))
+    };
+    BehaviourAxis::ALL.into_iter().filter(is_apart_by).collect()
+}
+
+/// What no numbers tell apart: each direction of the call that rotates has two names.
+fn labels(directions: &[Direction]) -> Vec<Labels> {
+    directions
+        .iter()
+        .flat_map(|&direction| {
+            [
+                Labels {
+                    function: Function::Passive,
+                    direction,
+                },
+                Labels {
+                    function: Function::Active,
+                    direction: direction.reversed(),
+                },
+            ]
+        })
+        .collect()
+}
+
+/// The records that agree, those that say most first.
+fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
+    let mut found: Vec<LibraryMatch> = libraries()
+        .iter()
+        .filter(|library| possible.iter().any(|behaviour| behaviour.is_of(library)))
+        .map(|library| LibraryMatch {
+            id: library.id.clone(),
+            unestablished: library.unestablished(),
+        })
+        .collect();
+    found.sort_by_key(|library| library.unestablished.len());
+    found
+}
+
+/// The probes that may be proposed; of equally good ones the first is.
+///
+/// Their numbers are easy to type and to read. The quaternion (½, ½, ½, ½) is the same in both orders;
+/// it turns by 120° about (1, 1, 1), so it moves every axis onto another one.
+fn standard_probes() -> [Probe; 7] {
+    let text = str::to_owned;
+    let printed = String::new;
+    [
+        Probe::Product {
+            a: text("0 1 0 0"),
+            b: text("0 0 1 0"),
+            printed: printed(),
+        },
+        Probe::Rotate {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            vector: text("1 2 3"),
+            printed: printed(),
+        },
+        Probe::Matrix {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            printed: printed(),
+            layout: MatrixLayout::AsWritten,
+        },
+        Probe::FromMatrix {
+            matrix: text("0 0 1; 1 0 0; 0 1 0"),
+            layout: MatrixLayout::AsWritten,
+            printed: printed(),
+        },
+        Probe::Components {
+            quaternion: text("0.1 0.5 0.5 0.7"),
+            printed: printed(),
+        },
+        Probe::QuarterTurn { printed: printed() },
+        Probe::Perturb {
+            quaternion: text("0.5 0.5 0.5 0.5"),
+            rotation_vector: text("0.1 0 0"),
+            printed: printed(),
+        },
+    ]
+}
+
+/// The best of the standard probes, but for those that are left out.
+fn next_probe(
+    request: &IdentifyRequest,
+    possible: &[Behaviour],
+    is_left_out: &dyn Fn(&Probe) -> bool,
+) -> Option<NextProbe> {
+    let mut best: Option<((f64, f64), Probe, usize)> = None;
+    for probe in standard_probes() {
+        if request.unavailable.contains(&probe.kind()) || is_left_out(&probe) {
+            continue;
+        }
+        let Ok(question) = question(&probe, request.language) else {
+            continue;
+        };
+        let answers = question.groups(possible);
+        if answers.len() < 2 {
+            continue;
+        }
+        let expected = |size: &dyn Fn(&[Behaviour]) -> usize| -> f64 {
+            let sum: usize = answers.iter().map(|left| left.len() * size(left)).sum();
+            sum as f64 / possible.len() as f64
+        };
+        // First what the library itself does, then how its user means the attitude.
+        let of_library = |left: &[Behaviour]| {
+            let distinct: HashSet<_> = left.iter().map(Behaviour::of_library).collect();
+            distinct.len()
+        };
+        let leaves = (expected(&of_library), expected(&<[Behaviour]>::len));
+        let is_better = best.as_ref().is_none_or(|(least, _, _)| leaves < *least);
+        if is_better {
+            best = Some((leaves, probe, answers.len()));
+        }
+    }
+    let ((_, leaves), probe, answers) = best?;
+    Some(NextProbe {
+        code: code(&probe, request.language).unwrap_or_default(),
+        language: request.language,
+        probe,
+        answers,
+        leaves,
+    })
+}

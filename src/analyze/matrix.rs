@@ -1,0 +1,138 @@
+//! Nine numbers to an attitude, or why not: how far from a rotation they are, and which axis a
+//! reflection flips.
+
+use crate::analyze::plain::rows3;
+use crate::contract::ReadMatrix;
+use crate::convention::matrix::MatrixConvention;
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::problem::sentences::matrix::Mirror;
+use crate::problem::suggestion::{Remedy, Suggestion};
+use crate::rotation::Rotation;
+use crate::rotation::nearest::NoNearestRotation;
+use crate::rotation::precise::{times_power_of_two, working_scale};
+use crate::rotation::tagged_matrix::TaggedMatrix;
+use crate::text::mend::rows_text;
+use nalgebra::{Matrix3, Vector3};
+
+/// A matrix this far from the nearest rotation (Frobenius norm) is not one with rounded entries: two
+/// decimals are off by 0.015 at most.
+const LARGEST_CORRECTION: f64 = 0.1;
+
+/// Farther away than this the nearest rotation has little to do with the matrix: two rotations are as
+/// far apart that differ by 41°.
+const LARGEST_CORRECTION_OFFERED: f64 = 1.0;
+
+/// The cosine of 2.6°: an axis that a mirror carries so near to its opposite is the one it flips,
+/// whatever two decimals have made of the matrix.
+const FLIPPED_COSINE: f64 = 0.999;
+
+/// Why nine numbers are no attitude, and the matrix that may have been meant.
+pub(crate) struct Refusal {
+    pub(crate) fault: Fault,
+    pub(crate) suggestion: Option<Box<Suggestion>>,
+}
+
+impl From<Fault> for Refusal {
+    fn from(fault: Fault) -> Self {
+        Self {
+            fault,
+            suggestion: None,
+        }
+    }
+}
+
+pub(crate) fn of_matrix(
+    entries: Matrix3<f64>,
+    convention: MatrixConvention,
+    span: Span,
+) -> Result<(ReadMatrix, Rotation), Refusal> {
+    let tagged = |entries| TaggedMatrix {
+        entries,
+        convention,
+    };
+    let typed = tagged(entries);
+    let is_near = |entries| {
+        Rotation::nearest_to_matrix(&tagged(entries))
+            .is_ok_and(|nearest| nearest.correction <= LARGEST_CORRECTION)
+    };
+    // Divided by a power of two, so that no length overflows or vanishes.
+    let exponent = working_scale(entries.as_slice());
+    let scaled = entries.map(|entry| times_power_of_two(entry, exponent));
+    let scaled_lengths = [0, 1, 2].map(|column| scaled.column(column).norm());
+    let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
+    let nearest = Rotation::nearest_to_matrix(&typed).map_err(|reason| match reason {
+        NoNearestRotation::Reflection if is_near(-entries) => reflection(entries, span),
+        NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths, None).into(),
+        NoNearestRotation::NotFinite => Fault::too_large(span).into(),
+        NoNearestRotation::Singular if entries.amax() == 0.0 => Refusal {
+            fault: Fault::zero_matrix(span),
+            suggestion: Some(suggested(Remedy::WriteIdentity, &Matrix3::identity())),
+        },
+        NoNearestRotation::Singular => Fault::singular_matrix(span).into(),
+    })?;
+    if nearest.correction > LARGEST_CORRECTION {
+        let scale = scaled_lengths.iter().sum::<f64>() / 3.0;
+        let is_scaled = is_near(scaled / scale);
+        let rotation = nearest.rotation.to_tagged_matrix(convention).entries;
+        let is_offered = is_scaled || nearest.correction <= LARGEST_CORRECTION_OFFERED;
+        return Err(Refusal {
+            fault: if is_scaled {
+                Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
+            } else {
+                Fault::not_a_rotation(span, lengths, Some(nearest.correction))
+            },
+            suggestion: is_offered.then(|| suggested(Remedy::NearestRotation, &rotation)),
+        });
+    }
+    let read = ReadMatrix {
+        rows: rows3(&entries),
+        convention,
+        orthogonality_error: typed.orthogonality_error(),
+        correction: nearest.correction,
+    };
+    // A matrix tells no sign of q: the scalar is chosen not negative (specification FX-04).
+    Ok((read, nearest.rotation.with_scalar_not_negative()))
+}
+
+fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Box<Suggestion> {
+    Box::new(Suggestion {
+        remedy,
+        text: rows_text(&rows3(matrix)),
+    })
+}
+
+/// A mirror image and the flip that undoes it with the smallest turn left over.
+///
+/// Turning round any one axis, or all three, makes a rotation of a mirror image; only where one
+/// stands against itself does the matrix alone tell which of them it was. Rows and columns leave the
+/// same angle, which the trace tells.
+fn reflection(entries: Matrix3<f64>, span: Span) -> Refusal {
+    let trace = entries.trace();
+    let flips = [0, 1, 2].map(|axis| (Some(axis), trace - 2.0 * entries[(axis, axis)]));
+    let (axis, _) =
+        flips.into_iter().fold(
+            (None, -trace),
+            |best, flip| {
+                if flip.1 > best.1 { flip } else { best }
+            },
+        );
+    let signs = |axis| Vector3::from_fn(|at, _| if at == axis { -1.0 } else { 1.0 });
+    let (mirror, restored) = match axis {
+        None => (Mirror::All, -entries),
+        Some(axis) => {
+            let restored = entries * Matrix3::from_diagonal(&signs(axis));
+            let is_certain = entries[(axis, axis)] <= -FLIPPED_COSINE;
+            let mirror = if is_certain {
+                Mirror::Axis(axis)
+            } else {
+                Mirror::Nearest(axis)
+            };
+            (mirror, restored)
+        }
+    };
+    Refusal {
+        fault: Fault::reflection(span, mirror),
+        suggestion: Some(suggested(Remedy::RestoreAxis, &restored)),
+    }
+}

@@ -1,0 +1,76 @@
+//! The whole road: a request in, an outcome out.
+//!
+//! Text is parsed, tagged with its convention, turned into the canonical
+//! rotation, and written back in every convention. Any step may stop with
+//! problems; nothing is thrown and nothing is printed.
+
+// A text to an attitude, and the attitude to numbers in a convention.
+mod attitude;
+
+// A library's line of code, with numbers.
+mod code_line;
+
+// Two quaternions together.
+pub(crate) mod compose;
+
+// A rotation in the representations that need no text.
+mod describe;
+
+/// Which convention a library uses.
+pub mod identify;
+
+// Nine numbers to an attitude, or what is nearest to them.
+mod matrix;
+
+// What a careful reader should know.
+mod notes;
+
+// Numbers as reports have them.
+mod plain;
+
+// What one attitude means.
+pub(crate) mod read;
+
+// From one end of a translation to the other.
+pub(crate) mod translate;
+
+// The text of a vector.
+mod vector;
+
+use crate::analyze::compose::compose;
+use crate::analyze::identify::identify;
+use crate::analyze::read::read;
+use crate::analyze::translate::translate;
+use crate::contract::request::Request;
+use crate::contract::{Outcome, Problems};
+
+/// The answer to a request: a report with notes, or the problems of its texts.
+///
+/// Nothing that is typed makes it panic, and no number of the answer is NaN, infinite or −0.
+///
+/// ```
+/// use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
+///
+/// // Four numbers of a JPL filter: x y z w, world to body; a quarter turn about z.
+/// let request = ReadRequest::new("0 0 1/√2 1/√2", "1 0 0", Convention::JPL);
+/// let outcome = analyze(&Request::Read(request));
+/// let Outcome::Read(report) = outcome else { panic!("{outcome:?}") };
+///
+/// // The world's x axis, seen from the body, is −y; the body's, seen from the world, is y.
+/// assert_eq!(report.jpl.image, Some([0.0, -1.0, 0.0]));
+/// assert_eq!(report.hamilton.image, Some([0.0, 1.0, 0.0]));
+/// ```
+#[must_use]
+pub fn analyze(request: &Request) -> Outcome {
+    let answered = match request {
+        Request::Read(request) => read(request).map(|report| Outcome::Read(Box::new(report))),
+        Request::Compose(request) => {
+            compose(request).map(|report| Outcome::Compose(Box::new(report)))
+        }
+        Request::Translate(request) => {
+            translate(request).map(|report| Outcome::Translate(Box::new(report)))
+        }
+        Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
+    };
+    answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
+}

@@ -1,0 +1,367 @@
+//! From one end of a translation to the other.
+
+use crate::analyze::attitude::{Attitude, Declared};
+use crate::analyze::code_line::{self, Line};
+use crate::analyze::describe::turn;
+use crate::analyze::plain::{plain, rows3};
+use crate::contract::request::TranslateRequest;
+use crate::contract::{
+    AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OutOfRange,
+    OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd,
+};
+use crate::convention::OrderSource;
+use crate::convention::{ComponentOrder, Convention};
+use crate::frames::axis_mapping::{AxesChange, AxisMapping};
+use crate::library::endpoint::{Endpoint, Meaning};
+use crate::library::{Library, family, first_to_act, libraries, stores_columns};
+use crate::problem::fault::Fault;
+use crate::problem::suggestion::Suggestion;
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
+use crate::rotation::Rotation;
+use crate::rotation::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE, is_representable};
+use crate::text::{ParsedRotation, RowMarks, parse_rotation};
+use nalgebra::Quaternion;
+
+pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, Vec<Problem>> {
+    let ends = (
+        meaning(&request.from, Field::From),
+        meaning(&request.to, Field::To),
+    );
+    let world = axes(&request.world_axes, Field::WorldAxes);
+    let body = axes(&request.body_axes, Field::BodyAxes);
+    let (from, to) = match ends {
+        (Ok(from), Ok(to)) => (from, to),
+        (from, to) => {
+            let found = [from.err(), to.err(), world.err(), body.err()];
+            return Err(found.into_iter().flatten().collect());
+        }
+    };
+    let text = &*request.quaternion;
+    let pasted = pasted(text);
+    let attitude = attitude(text, &from, pasted);
+    let (attitude, world, body) = match (attitude, world, body) {
+        (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
+        (attitude, world, body) => {
+            let found = [attitude.err(), world.err(), body.err()];
+            return Err(found.into_iter().flatten().collect());
+        }
+    };
+    let change = AxesChange { world, body };
+    let changes_axes = change != AxesChange::NONE;
+    let mut notes = notes(&attitude, &from);
+    // Where the axes stay, the numbers are those that were typed, not rounded again.
+    let (numbers, rotation) = if changes_axes {
+        let rotation = change.apply(&attitude.rotation).map_err(|_| {
+            let span = Span::of_trimmed(&request.body_axes);
+            vec![Fault::one_sided_reflection(span).in_field(Field::BodyAxes)]
+        })?;
+        let unit = rotation.to_tagged(to.numbers());
+        let numbers = with_norm_of(&attitude.tagged, unit).unwrap_or_else(|| {
+            notes.push(Note {
+                field: Field::Quaternion,
+                fact: Fact::OutOfRange(OutOfRange {
+                    what: OutOfRangeNumber::Norm,
+                }),
+            });
+            unit
+        });
+        (numbers, rotation)
+    } else {
+        (
+            attitude.tagged.to_convention(to.numbers()),
+            attitude.rotation,
+        )
+    };
+
+    let mut mistakes = mistakes(&from, &to, &numbers, &rotation);
+    if changes_axes {
+        mistakes.push(Mistake {
+            kind: MistakeKind::AxesKept,
+            angle_deg: angle_deg(&rotation, &attitude.rotation),
+        });
+    }
+    let typed = attitude.tagged.to_convention(from.numbers());
+    Ok(TranslateReport {
+        quaternion: attitude.as_read(),
+        change: change_between(&from, &to),
+        mistakes,
+        product: if world == body {
+            product_order(&from, &to)
+        } else {
+            ProductOrder::Neither
+        },
+        axes: changes_axes.then(|| AxesReport {
+            world: mapped(world),
+            body: mapped(body),
+        }),
+        turn: turn(&attitude.rotation),
+        proposed: pasted
+            .filter(|pasted| from.library.is_none_or(|library| library.id != pasted.id))
+            .map(|pasted| pasted.id.clone()),
+        notes,
+        from: end(&from, &typed, &attitude.rotation),
+        to: end(&to, &numbers, &rotation),
+    })
+}
+
+/// The attitude that a text holds at the first end. Plain numbers stand in the order of the array; the
+/// arguments of a call stand in that of the constructor, which may be another one.
+fn attitude(
+    text: &str,
+    from: &Meaning,
+    pasted: Option<&'static Library>,
+) -> Result<Attitude, Problem> {
+    let declared = |order| Declared {
+        convention: Convention {
+            order,
+            ..from.numbers()
+        },
+        matrix: from.matrix_convention(),
+    };
+    let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
+    let read = in_order(from.order);
+    let is_settled = match &read {
+        Ok(attitude) => !attitude.is_of_unknown_constructor(),
+        Err(problem) => problem.code == ProblemCode::TextTooLong,
+    };
+    if is_settled {
+        return read;
+    }
+    // The library's own line, whatever its form, as the other end of a translation shows it.
+    let known = [pasted, from.library].into_iter().flatten();
+    let mut lines = known.filter_map(|library| library.code.construct.as_deref());
+    if let Some(line) = lines.find_map(|line| code_line::read(line, text)) {
+        let read = Attitude::of_text(&line.named, Field::Quaternion, declared(from.order));
+        return read.map_err(|problem| as_typed(problem, &line, text));
+    }
+    let library = pasted.or(from.library);
+    let constructor = library.and_then(|library| library.constructor_order);
+    match (read, constructor) {
+        (Ok(_), Some(order)) => in_order(order),
+        (read, _) => read,
+    }
+}
+
+/// A problem of the numbers of a line, at their places in it.
+fn as_typed(problem: Problem, line: &Line, text: &str) -> Problem {
+    let suggestion = problem.suggestion.and_then(|suggestion| {
+        let text = line.with_numbers(text, &suggestion.text)?;
+        Some(Box::new(Suggestion {
+            text,
+            ..*suggestion
+        }))
+    });
+    Problem {
+        span: line.place(problem.span).unwrap_or(Span::of_trimmed(text)),
+        suggestion,
+        ..problem
+    }
+}
+
+/// What is known of the text; also that lists of lists, which libraries of some languages print by
+/// columns, were read by rows.
+fn notes(attitude: &Attitude, from: &Meaning) -> Vec<Note> {
+    let field = Field::Quaternion;
+    let mut notes = attitude.notes(field);
+    let language = from.library.map(|library| library.language);
+    if attitude.row_marks == Some(RowMarks::Brackets) && language.is_some_and(stores_columns) {
+        let fact = attitude.rows_fact();
+        notes.extend(fact.map(|fact| Note { field, fact }));
+    }
+    notes
+}
+
+/// A quaternion of norm 1 made as long as what was typed, which a rotation does not remember; `None`
+/// where a double that small has lost digits of the attitude, or all of them, or cannot hold the norm.
+///
+/// Of norm 1 it stays where it was typed so but for rounding.
+fn with_norm_of(typed: &TaggedQuaternion, unit: TaggedQuaternion) -> Option<TaggedQuaternion> {
+    let norm = typed.norm();
+    if (norm - 1.0).abs() <= UNIT_NORM_TOLERANCE {
+        return Some(unit);
+    }
+    let components = unit.components * norm;
+    is_representable(&components).then_some(TaggedQuaternion { components, ..unit })
+}
+
+fn meaning(endpoint: &Endpoint, field: Field) -> Result<Meaning, Problem> {
+    Meaning::of(endpoint).ok_or_else(|| {
+        let id = match endpoint {
+            Endpoint::Library(endpoint) => endpoint.id.as_str(),
+            Endpoint::Convention(_) => "",
+        };
+        Fault::unknown_library(Span::of_trimmed(id), id).in_field(field)
+    })
+}
+
+fn axes(text: &str, field: Field) -> Result<AxisMapping, Problem> {
+    if is_too_long(text) {
+        let fault = Fault::text_too_long(Span::of_trimmed(text), text.len(), MAX_TEXT_BYTES);
+        return Err(fault.in_field(field));
+    }
+    text.parse::<AxisMapping>().map_err(|unknown| {
+        Fault::unknown_axes(Span::of_trimmed(text), unknown.message).in_field(field)
+    })
+}
+
+fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> TranslatedEnd {
+    let components = Components::of(&numbers.components, meaning.order);
+    let library = meaning.library;
+    let code = library.map(|library| &library.code);
+    TranslatedEnd {
+        library: library.map(|library| library.id.clone()),
+        convention: meaning.declared.unwrap_or(meaning.numbers()),
+        array: numbers.to_array().map(plain),
+        order: meaning.order,
+        constructor_order: library.map_or(Some(meaning.order), |library| library.constructor_order),
+        sign: meaning.numbers().component_sign(),
+        handedness: meaning.handedness,
+        action: meaning.action,
+        direction: meaning.direction,
+        family: meaning
+            .handedness
+            .map(|handedness| family(handedness, meaning.action)),
+        first_to_act: meaning
+            .handedness
+            .map(|handedness| first_to_act(handedness, meaning.action)),
+        matrix: meaning.matrix.map(|printed| PrintedMatrix {
+            rows: rows3(&rotation.matrix(meaning.direction_of(printed.form))),
+            form: printed.form,
+            vectors: printed.vectors,
+        }),
+        construct: code
+            .and_then(|code| code.construct.as_deref())
+            .map(|line| construct(line, &components, meaning)),
+        usual: code.and_then(|code| code.rotate.clone().or_else(|| code.matrix.clone())),
+        assumed: meaning.assumed.clone(),
+        components,
+    }
+}
+
+/// The line of code with these numbers. Where the line is nothing but an array, its numbers stand in the
+/// order in which those of this end do, so that the line is read here as what it was written for.
+fn construct(template: &str, components: &Components, meaning: &Meaning) -> String {
+    let line = code_line::write(template, components);
+    let numbers = Quaternion::new(1.0, 2.0, 3.0, 4.0);
+    let sample = Components::of(&numbers, ComponentOrder::ScalarFirst);
+    let sample = code_line::write(template, &sample);
+    let read = parse_rotation(&sample, Field::Quaternion, meaning.order);
+    match read {
+        Ok(ParsedRotation::Quaternion(read))
+            if read.unknown_constructor.is_none() && read.order_source == OrderSource::Declared =>
+        {
+            code_line::write_in_order(template, components, meaning.order)
+        }
+        _ => line,
+    }
+}
+
+fn change_between(from: &Meaning, to: &Meaning) -> Change {
+    let reordered = from.order != to.order;
+    let conjugated = from.numbers().component_sign() != to.numbers().component_sign();
+    match (reordered, conjugated) {
+        (false, false) => Change::Copied,
+        (true, false) => Change::Reordered,
+        (false, true) => Change::Conjugated,
+        (true, true) => Change::ReorderedAndConjugated,
+    }
+}
+
+/// What comes of the numbers when a step is left out, or a conjugation done that is not needed.
+fn mistakes(
+    from: &Meaning,
+    to: &Meaning,
+    right: &TaggedQuaternion,
+    rotation: &Rotation,
+) -> Vec<Mistake> {
+    let not_reordered = |numbers: &TaggedQuaternion| {
+        let mut array = numbers.to_array();
+        match from.order {
+            ComponentOrder::ScalarFirst => array.rotate_right(1),
+            ComponentOrder::ScalarLast => array.rotate_left(1),
+        }
+        TaggedQuaternion::from_array(array, numbers.convention)
+    };
+    let passed_on = match to.library.and_then(|library| library.constructor_order) {
+        Some(order) if order != to.order && to.order == from.order => {
+            let array = right.to_array();
+            let wrong = TaggedQuaternion::from_array(
+                array,
+                Convention {
+                    order,
+                    ..right.convention
+                },
+            );
+            Some((MistakeKind::ConstructorOrder, wrong))
+        }
+        _ => None,
+    };
+    // Its own inverse: the mistake that undoes a needed conjugation is the one that adds another.
+    let conjugated = right.conjugate();
+    let made = match change_between(from, to) {
+        Change::Copied => vec![(MistakeKind::ConjugatedNeedlessly, conjugated)],
+        Change::Reordered => vec![
+            (MistakeKind::NotReordered, not_reordered(right)),
+            (MistakeKind::ConjugatedNeedlessly, conjugated),
+        ],
+        Change::Conjugated => vec![(MistakeKind::NotConjugated, conjugated)],
+        Change::ReorderedAndConjugated => vec![
+            (MistakeKind::Copied, not_reordered(&conjugated)),
+            (MistakeKind::NotConjugated, conjugated),
+            (MistakeKind::NotReordered, not_reordered(right)),
+        ],
+    };
+    made.into_iter()
+        .chain(passed_on)
+        .filter_map(|(kind, wrong)| {
+            let wrong = Rotation::from_tagged(&wrong).ok()?;
+            Some(Mistake {
+                kind,
+                angle_deg: angle_deg(rotation, &wrong),
+            })
+        })
+        .collect()
+}
+
+fn angle_deg(right: &Rotation, wrong: &Rotation) -> f64 {
+    plain(right.angle_to_rad(wrong).to_degrees())
+}
+
+/// A conjugation turns a product round, and so does the other hand; both together do not.
+fn product_order(from: &Meaning, to: &Meaning) -> ProductOrder {
+    let (Some(one), Some(other)) = (from.handedness, to.handedness) else {
+        return ProductOrder::NotEstablished;
+    };
+    let sign = |meaning: &Meaning| meaning.numbers().component_sign();
+    if (one == other) == (sign(from) == sign(to)) {
+        ProductOrder::Same
+    } else {
+        ProductOrder::Reversed
+    }
+}
+
+fn mapped(mapping: AxisMapping) -> MappedAxes {
+    MappedAxes {
+        mapping,
+        text: mapping.to_string(),
+        rows: rows3(&mapping.matrix()),
+        determinant: mapping.determinant(),
+        hand: mapping.hand(),
+    }
+}
+
+/// The library whose call stands in the text first; no fragment begins that of another library. A text
+/// that is too long is nobody's line.
+fn pasted(text: &str) -> Option<&'static Library> {
+    if is_too_long(text) {
+        return None;
+    }
+    let compact = |text: &str| text.split_whitespace().collect::<String>();
+    let text = compact(text);
+    libraries()
+        .iter()
+        .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
+        .filter_map(|(library, part)| Some((text.find(&compact(part))?, library)))
+        .min_by_key(|(at, _)| *at)
+        .map(|(_, library)| library)
+}

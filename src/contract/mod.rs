@@ -1,0 +1,201 @@
+//! What is answered: plain numbers and names, the source of the TypeScript types.
+//!
+//! No number here is NaN, infinite or −0. A number that a double cannot hold is
+//! absent, and a [`Note`] says so. A matrix is a list of its rows, and multiplies a column from the
+//! left.
+
+// One attitude in the report.
+mod attitude;
+
+// What an identification answers.
+pub(crate) mod identification;
+
+// What a careful reader should know.
+mod note;
+
+/// What was tried on a library.
+pub mod probe;
+
+/// What is asked.
+pub mod request;
+
+// What a translation answers.
+mod translation;
+
+pub use crate::contract::attitude::*;
+pub use crate::contract::identification::*;
+pub use crate::contract::note::*;
+pub use crate::contract::translation::*;
+use crate::convention::{Convention, Direction};
+use crate::problem::{Field, Problem};
+use serde::{Deserialize, Serialize};
+
+/// A report, or the problems that stand in its way.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(tag = "status", rename_all = "kebab-case")]
+pub enum Outcome {
+    /// The answer to a [`Request::Read`](crate::Request::Read).
+    Read(Box<ReadReport>),
+    /// The answer to a [`Request::Compose`](crate::Request::Compose).
+    Compose(Box<ComposeReport>),
+    /// The answer to a [`Request::Translate`](crate::Request::Translate).
+    Translate(Box<TranslateReport>),
+    /// The answer to a [`Request::Identify`](crate::Request::Identify); problems of its texts are in it.
+    Identify(Box<IdentifyReport>),
+    /// At least one text could not be read; every text's first problem is here.
+    Problems(Problems),
+}
+
+/// Every text's first problem, in the order of the request.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Problems {
+    /// At least one.
+    pub problems: Vec<Problem>,
+}
+
+/// What one quaternion means in both conventions.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ReadReport {
+    /// The attitude as it was read, before anything was done to it.
+    pub quaternion: ReadQuaternion,
+    /// The vector `x` as it was read.
+    pub vector: [f64; 3],
+    /// The attitude in the declared convention, whichever of the 32 it is.
+    pub declared: Column,
+    /// What the declared convention multiplies in which order; the same as in `declared`.
+    pub rules: Rules,
+    /// The matrix in the declared convention of matrices.
+    pub paired: PairedMatrix,
+    /// The attitude as a Hamilton quaternion, body to world, with the declared perturbation.
+    pub hamilton: Column,
+    /// The same attitude as a JPL quaternion, world to body, with the declared perturbation.
+    pub jpl: Column,
+    /// The JPL quaternion whose matrix is the Hamilton column's, body to world: the conjugate
+    /// (Yoosefian 2021, eq. 18).
+    pub jpl_with_same_matrix: Components,
+    /// The turn that carries the world axes onto the body axes; it is the same in every
+    /// convention.
+    pub turn: Turn,
+    /// The same attitude as Euler angles in the requested sequence.
+    pub euler: Euler,
+    /// What a careful reader should know about this input.
+    pub notes: Vec<Note>,
+}
+
+/// What two quaternions make together, in both products and both orders.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ComposeReport {
+    /// The left operand as it was read.
+    pub p: ReadQuaternion,
+    /// The right operand as it was read.
+    pub q: ReadQuaternion,
+    /// The turn of the body that p is, about axes that it leaves where they are.
+    pub p_turn: Turn,
+    /// The turn of the body that q is.
+    pub q_turn: Turn,
+    /// The vector `x` as it was read.
+    pub vector: [f64; 3],
+    /// `p∘q` in the declared convention, whichever of the 32 it is.
+    pub declared: Product,
+    /// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p.
+    pub products: Vec<Product>,
+    /// Whether the order of the two matters.
+    pub order_matters: OrderMatters,
+    /// What a careful reader should know about these inputs.
+    pub notes: Vec<Note>,
+}
+
+/// Whether p∘q and q∘p are the same quaternion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum OrderMatters {
+    /// They differ.
+    Yes,
+    /// They are the same: the axes are parallel, or one of the two is no turn.
+    No,
+    /// They are q and −q: two quaternions of one rotation (half turns about perpendicular axes).
+    OnlyInSign,
+}
+
+/// One of the two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum Operand {
+    /// The quaternion that was typed as p.
+    P,
+    /// The quaternion that was typed as q.
+    Q,
+}
+
+/// A frame of a composition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum Frame {
+    /// W, the world.
+    World,
+    /// B, the body.
+    Body,
+    /// C, a second body whose attitude is given relative to B.
+    SecondBody,
+}
+
+/// One product of p and q.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Product {
+    /// The convention of the product, ⊙ for the right hand and ⊗ for the left.
+    pub convention: Convention,
+    /// The operand on the left of the sign.
+    pub left: Operand,
+    /// The operand on the right of the sign. It acts on a vector first.
+    pub right: Operand,
+    /// The product.
+    pub quaternion: Components,
+    /// R(left ⊙ right) = R(left) R(right) for Hamilton, C(left ⊗ right) = C(left) C(right) for JPL.
+    pub matrix: [[f64; 3]; 3],
+    /// `x` after the right operand, then after both; absent where a double cannot hold it.
+    pub images: Option<[[f64; 3]; 2]>,
+    /// Which frame's coordinates to which the matrix takes.
+    pub direction: Direction,
+    /// The frames on the way of a vector: where it starts, where the two meet, where it ends.
+    pub frames: [Frame; 3],
+    /// The operand whose turn comes first when every turn is about the fixed axes; about the
+    /// moving axes it is the other one.
+    pub first_about_fixed_axes: Operand,
+    /// The places in the list of products that have the same numbers, its own included.
+    pub equal_to: Vec<usize>,
+}
+
+impl Outcome {
+    /// The same outcome with every span counted in UTF-16 units of the text it points into: the text
+    /// of a field, of the observation at a place where there are several.
+    #[must_use]
+    pub fn in_utf16(self, text_of: impl Fn(Field, usize) -> String) -> Self {
+        match self {
+            Self::Problems(problems) => {
+                Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
+            }
+            Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
+            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => self,
+        }
+    }
+}
+
+impl Problems {
+    pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field) -> String) -> Self {
+        for problem in &mut self.problems {
+            problem.span = problem.span.in_utf16(&text_of(problem.field));
+        }
+        self
+    }
+}

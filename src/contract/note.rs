@@ -1,0 +1,190 @@
+//! What a careful reader should know: notes are data, the page has the words.
+
+use crate::convention::ComponentOrder;
+use crate::convention::OrderSource;
+use crate::convention::angle::AngleUnit;
+use crate::problem::Field;
+use serde::{Deserialize, Serialize};
+
+/// One thing worth knowing, as data; the page has the words.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Note {
+    /// Which text it is about.
+    pub field: Field,
+    /// What there is to know.
+    pub fact: Fact,
+}
+
+/// What a [`Note`] says.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum Fact {
+    /// The norm is not 1, so the numbers were divided by it.
+    Normalised(Normalised),
+    /// The text tells its own order, which is not the declared one.
+    OrderFromText(OrderFromText),
+    /// The order cannot be told from the text, and the other order is another rotation.
+    OrderAssumed(OrderAssumed),
+    /// Both orders give the same rotation, so this input cannot show which one is used.
+    OrderInvisible,
+    /// The text is a call whose order is not known here.
+    UnknownConstructor(UnknownConstructor),
+    /// The angles, or the numbers inside sin, cos and tan, have no unit, so one was assumed.
+    AngleUnitAssumed(AngleUnitAssumed),
+    /// Nothing marks the rows of nine numbers, so they were read row by row.
+    RowsAssumed(RowsAssumed),
+    /// Three vectors with the names of axes were taken for the columns of the matrix.
+    AxesAsColumns(AxesAsColumns),
+    /// The matrix is not quite a rotation, so the nearest one was used.
+    NearestRotation(UsedNearestRotation),
+    /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
+    /// one more turn leads, is the same rotation and names the shorter turn.
+    NegativeScalar,
+    /// The rotation is none: every axis is as good, so none is given.
+    NoTurn,
+    /// So small a turn that its axis hardly shows in rounded numbers.
+    NearlyNoTurn(NearlyNoTurn),
+    /// Half a turn: the axis and its opposite describe the same rotation.
+    HalfTurn,
+    /// So near to half a turn that rounding may give the axis the opposite sign.
+    NearlyHalfTurn(NearlyHalfTurn),
+    /// Some number is beyond what a double can hold and is left out.
+    OutOfRange(OutOfRange),
+}
+
+/// The data of [`Fact::Normalised`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Normalised {
+    /// The norm as typed; absent where a double cannot hold it.
+    pub norm: Option<f64>,
+    /// The norm minus 1; absent where the norm is.
+    pub deviation: Option<f64>,
+}
+
+/// The data of [`Fact::OrderFromText`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct OrderFromText {
+    /// How it was told.
+    pub source: OrderSource,
+    /// The order that was used.
+    pub order: ComponentOrder,
+}
+
+/// The data of [`Fact::OrderAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct OrderAssumed {
+    /// The order that was used.
+    pub order: ComponentOrder,
+    /// How far away the rotation is that the other order gives, in degrees.
+    pub other_order_differs_by_deg: f64,
+}
+
+/// The data of [`Fact::UnknownConstructor`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct UnknownConstructor {
+    /// The name as typed.
+    pub name: String,
+    /// The order that was used: the declared one.
+    pub order: ComponentOrder,
+}
+
+/// The data of [`Fact::AngleUnitAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct AngleUnitAssumed {
+    /// The unit that was used.
+    pub unit: AngleUnit,
+    /// The same text with the word for degrees; absent where there is no plain place for it.
+    pub in_degrees: Option<String>,
+    /// The same text with the word for radians; absent where there is no plain place for it.
+    pub in_radians: Option<String>,
+}
+
+/// The data of [`Fact::RowsAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct RowsAssumed {
+    /// How far away the rotation is that the same numbers give column by column, the opposite turn, in
+    /// degrees.
+    pub columns_differ_by_deg: f64,
+}
+
+/// The data of [`Fact::AxesAsColumns`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct AxesAsColumns {
+    /// How far away the rotation is that the same vectors give row by row, the opposite turn, in
+    /// degrees.
+    pub rows_differ_by_deg: f64,
+}
+
+/// The data of [`Fact::NearestRotation`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct UsedNearestRotation {
+    /// The largest magnitude among the entries of `MᵀM − I`.
+    pub orthogonality_error: f64,
+    /// The Frobenius norm of the difference between the two.
+    pub correction: f64,
+}
+
+/// The data of [`Fact::NearlyNoTurn`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct NearlyNoTurn {
+    /// The angle, less than 1e-4 radians.
+    pub angle_rad: f64,
+    /// The same angle in degrees.
+    pub angle_deg: f64,
+    /// How far the axis is off, in degrees, where the quaternion is rounded to six decimals; absent
+    /// where it may then be any.
+    pub axis_uncertain_by_deg: Option<f64>,
+}
+
+/// The data of [`Fact::NearlyHalfTurn`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct NearlyHalfTurn {
+    /// What the angle lacks of π, less than 1e-4 radians.
+    pub short_by_rad: f64,
+    /// The same in degrees.
+    pub short_by_deg: f64,
+}
+
+/// The data of [`Fact::OutOfRange`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct OutOfRange {
+    /// Which number is left out.
+    pub what: OutOfRangeNumber,
+}
+
+/// A number that a double may be unable to hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum OutOfRangeNumber {
+    /// The norm as typed, of numbers for other axes: those numbers have norm 1.
+    Norm,
+    /// The inverse quaternion.
+    Inverse,
+    /// The turned vector.
+    Image,
+    /// The product of the quaternions as typed; the product of the unit quaternions is given.
+    Product,
+}

@@ -1,0 +1,151 @@
+//! What is asked: text as it was typed, and the convention it is declared to be in.
+
+use crate::contract::probe::{Probe, ProbeKind};
+use crate::convention::Convention;
+use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::matrix::MatrixConvention;
+use crate::library::Language;
+use crate::library::endpoint::Endpoint;
+use serde::{Deserialize, Serialize};
+
+/// A question to [`analyze`](crate::analyze()), one kind for each view of the page.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(tag = "view", rename_all = "kebab-case")]
+pub enum Request {
+    /// What does this attitude mean?
+    Read(ReadRequest),
+    /// What do these two make together?
+    Compose(ComposeRequest),
+    /// What is this attitude elsewhere?
+    Translate(TranslateRequest),
+    /// Which convention does a library use?
+    Identify(IdentifyRequest),
+}
+
+/// One attitude and one vector.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ReadRequest {
+    /// The attitude, as a quaternion or in any other accepted form (see [`parse`](mod@crate::text)).
+    pub quaternion: String,
+    /// The vector `x`, in any accepted form.
+    pub vector: String,
+    /// What four numbers are declared to mean.
+    pub convention: Convention,
+    /// What nine numbers are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+    /// The sequence of the Euler angles in the answer; intrinsic ZYX where it is left out.
+    #[serde(default)]
+    pub euler: EulerSequence,
+}
+
+/// Two attitudes and one vector.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ComposeRequest {
+    /// The left operand.
+    pub p: String,
+    /// The right operand.
+    pub q: String,
+    /// The vector `x` that both turn, one after the other.
+    pub vector: String,
+    /// What four numbers of either are declared to mean.
+    pub convention: Convention,
+    /// What nine numbers of either are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+}
+
+/// One attitude, from one library or convention to another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct TranslateRequest {
+    /// The attitude as the first end writes it: its four numbers, its matrix, its constructor call; or
+    /// any other accepted form.
+    pub quaternion: String,
+    /// Where it comes from.
+    pub from: Endpoint,
+    /// Where it goes to.
+    pub to: Endpoint,
+    /// The new world axes (`NED to ENU`, `y x -z`); empty where they stay.
+    #[serde(default)]
+    pub world_axes: String,
+    /// The new body axes (`FRD to FLU`, `x -y -z`); empty where they stay.
+    #[serde(default)]
+    pub body_axes: String,
+}
+
+/// What a library printed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct IdentifyRequest {
+    /// The observations in any order, of any kind and number.
+    pub observations: Vec<Probe>,
+    /// The name of the library, for the sentence.
+    #[serde(default)]
+    pub name: String,
+    /// The language of the code of the next probe.
+    #[serde(default)]
+    pub language: Language,
+    /// Kinds of probes that cannot be run.
+    #[serde(default)]
+    pub unavailable: Vec<ProbeKind>,
+}
+
+impl TranslateRequest {
+    /// The request with the axes as they are.
+    #[must_use]
+    pub fn new(quaternion: &str, from: Endpoint, to: Endpoint) -> Self {
+        Self {
+            quaternion: quaternion.to_owned(),
+            from,
+            to,
+            world_axes: String::new(),
+            body_axes: String::new(),
+        }
+    }
+}
+
+impl IdentifyRequest {
+    /// The request without a name, with code in Python.
+    #[must_use]
+    pub fn new(observations: Vec<Probe>) -> Self {
+        Self {
+            observations,
+            name: String::new(),
+            language: Language::default(),
+            unavailable: Vec::new(),
+        }
+    }
+}
+
+impl ReadRequest {
+    /// The request with a matrix body to world and the Euler angles of the aerospace sequence.
+    #[must_use]
+    pub fn new(quaternion: &str, vector: &str, convention: Convention) -> Self {
+        Self {
+            quaternion: quaternion.to_owned(),
+            vector: vector.to_owned(),
+            convention,
+            matrix: MatrixConvention::default(),
+            euler: EulerSequence::default(),
+        }
+    }
+}
+
+impl ComposeRequest {
+    /// The request with matrices body to world.
+    #[must_use]
+    pub fn new(p: &str, q: &str, vector: &str, convention: Convention) -> Self {
+        Self {
+            p: p.to_owned(),
+            q: q.to_owned(),
+            vector: vector.to_owned(),
+            convention,
+            matrix: MatrixConvention::default(),
+        }
+    }
+}

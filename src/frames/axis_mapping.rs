@@ -1,0 +1,368 @@
+//! Other names for the same axes: a frame mapping, by a signed permutation.
+//!
+//! A mapping takes the coordinates of a vector on one set of axes to those of the same vector on
+//! another set: NED to ENU is `y x −z`, for east is the old y, north the old x and up the opposite of
+//! down. It is a step of its own, apart from the conventions of quaternions.
+//!
+//! For a rotation matrix `R_WB`, new world axes make `A_W R_WB`, new body axes `R_WB A_Bᵀ`. If a
+//! mapping changes the hand of the axes (determinant −1) on one side only, the product is a
+//! reflection, which has no quaternion.
+
+use crate::convention::euler_sequence::Axis;
+use crate::problem::{QUOTED_CHARACTERS, shorten};
+use crate::rotation::Rotation;
+use crate::rotation::nearest::davenport;
+use nalgebra::{Matrix3, Matrix4, Quaternion};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::str::FromStr;
+use twofloat::TwoFloat;
+
+/// One new axis: an old one, or its opposite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SignedAxis {
+    /// The old axis.
+    pub axis: Axis,
+    /// Along it or against it.
+    pub sense: Sense,
+}
+
+/// Along an axis or against it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum Sense {
+    /// Along it.
+    Along,
+    /// Against it.
+    Against,
+}
+
+impl Sense {
+    fn sign(self) -> f64 {
+        match self {
+            Self::Along => 1.0,
+            Self::Against => -1.0,
+        }
+    }
+}
+
+/// A signed permutation of the axes: which old axis each new one is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AxisMapping {
+    /// The new x, y and z.
+    pub axes: [SignedAxis; 3],
+}
+
+/// Whether a mapping keeps the hand of the axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum AxesHand {
+    /// Determinant +1: right-handed axes stay right-handed.
+    Kept,
+    /// Determinant −1: right-handed axes become left-handed.
+    Changed,
+}
+
+/// One side has axes of the other hand and the other side has not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OneSidedReflection;
+
+impl fmt::Display for OneSidedReflection {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "axes of the other hand on one side only make a reflection, which no quaternion is",
+        )
+    }
+}
+
+impl std::error::Error for OneSidedReflection {}
+
+impl AxisMapping {
+    /// The one that changes nothing.
+    pub const NONE: Self = Self {
+        axes: [
+            SignedAxis::along(Axis::X),
+            SignedAxis::along(Axis::Y),
+            SignedAxis::along(Axis::Z),
+        ],
+    };
+
+    /// The matrix A that takes old coordinates to new ones.
+    ///
+    /// ```
+    /// use quatlas::{AxisMapping, nalgebra::Vector3};
+    /// let ned_to_enu: AxisMapping = "NED to ENU".parse()?;
+    /// // One metre north, two east, three down.
+    /// let enu = ned_to_enu.matrix() * Vector3::new(1.0, 2.0, 3.0);
+    /// assert_eq!(enu.as_slice(), [2.0, 1.0, -3.0]);
+    /// # Ok::<(), quatlas::UnknownAxes>(())
+    /// ```
+    #[must_use]
+    pub fn matrix(&self) -> Matrix3<f64> {
+        let row = |at: usize| {
+            let SignedAxis { axis, sense } = self.axes[at];
+            let mut row = [0.0; 3];
+            row[axis.index()] = sense.sign();
+            row
+        };
+        Matrix3::from([row(0), row(1), row(2)]).transpose()
+    }
+
+    /// +1 or −1.
+    #[must_use]
+    pub fn determinant(&self) -> i8 {
+        match self.hand() {
+            AxesHand::Kept => 1,
+            AxesHand::Changed => -1,
+        }
+    }
+
+    /// Whether the new axes have the same hand as the old ones.
+    #[must_use]
+    pub fn hand(&self) -> AxesHand {
+        if self.matrix().determinant() > 0.0 {
+            AxesHand::Kept
+        } else {
+            AxesHand::Changed
+        }
+    }
+
+    /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
+    /// is not 1, so it is exact: those of its components that are not 0 have one size, and the first
+    /// of them is positive.
+    fn quaternion(&self) -> Quaternion<f64> {
+        let rotation = self.matrix() * f64::from(self.determinant());
+        // Of a rotation Davenport's matrix is 4 q qᵀ − I; the column with the largest diagonal is never
+        // zero (Shepperd's method).
+        let k = davenport(&rotation.map(TwoFloat::from)).map(|entry| entry.hi());
+        let columns = k + Matrix4::identity();
+        let [w, x, y, z] = columns
+            .column(columns.diagonal().imax())
+            .into_owned()
+            .into();
+        Quaternion::new(w, x, y, z)
+    }
+}
+
+impl SignedAxis {
+    const fn along(axis: Axis) -> Self {
+        Self {
+            axis,
+            sense: Sense::Along,
+        }
+    }
+}
+
+/// The axes of the world and of the body under new names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AxesChange {
+    /// The new world axes.
+    pub world: AxisMapping,
+    /// The new body axes.
+    pub body: AxisMapping,
+}
+
+impl AxesChange {
+    /// The one that changes nothing.
+    pub const NONE: Self = Self {
+        world: AxisMapping::NONE,
+        body: AxisMapping::NONE,
+    };
+
+    /// The attitude of the new body axes in the new world axes: `A_W R_WB A_Bᵀ`.
+    ///
+    /// # Errors
+    ///
+    /// [`OneSidedReflection`] where exactly one of the two changes the hand of the axes.
+    ///
+    /// ```
+    /// use quatlas::{AxesChange, Rotation, nalgebra::Vector3};
+    /// use std::f64::consts::FRAC_PI_2;
+    ///
+    /// // PX4 to ROS: a body (forward, right, down) that heads east, seen from north, east, down.
+    /// let heading_east = Rotation::from_axis_angle([0.0, 0.0, 1.0], FRAC_PI_2)?;
+    /// let change = AxesChange { world: "NED to ENU".parse()?, body: "FRD to FLU".parse()? };
+    /// let in_ros = change.apply(&heading_east)?;
+    /// // Forward (x) is east (x): no turn at all.
+    /// assert!((in_ros.body_to_world(Vector3::x()) - Vector3::x()).amax() < 1e-15);
+    /// assert!((in_ros.body_to_world(Vector3::z()) - Vector3::z()).amax() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn apply(&self, attitude: &Rotation) -> Result<Rotation, OneSidedReflection> {
+        if self.world.hand() != self.body.hand() {
+            return Err(OneSidedReflection);
+        }
+        // The two factors −1 of mappings that change the hand cancel.
+        let world = Rotation::from_canonical(&self.world.quaternion());
+        let body = Rotation::from_canonical(&self.body.quaternion());
+        Ok(world * *attitude * body.inverse())
+    }
+}
+
+/// A text that names no axes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnknownAxes {
+    /// What is wrong with it.
+    pub message: String,
+}
+
+impl fmt::Display for UnknownAxes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for UnknownAxes {}
+
+/// Axes that go by the name of a library: where x, y and z point.
+const NAMED_AXES: [(&str, &str); 8] = [
+    ("opencv", "RDF"),
+    ("opengl", "RUB"),
+    ("godot", "RUB"),
+    ("ros", "FLU"),
+    ("px4", "FRD"),
+    ("aerospace", "FRD"),
+    ("unity", "RUF"),
+    ("unreal", "FRU"),
+];
+
+/// Pairs of opposite directions; a system has one of each of three pairs.
+const OPPOSITES: [(char, char); 5] = [('F', 'B'), ('R', 'L'), ('U', 'D'), ('N', 'S'), ('E', 'W')];
+
+impl FromStr for AxisMapping {
+    type Err = UnknownAxes;
+
+    /// From the new axes in terms of the old (`y x -z`), or from two systems by where their axes
+    /// point (`NED to ENU`, `FRD -> FLU`, `ROS to Unity`).
+    ///
+    /// The letters are forward, back, left, right, up, down, and north, south, east, west.
+    ///
+    /// ```
+    /// use quatlas::{AxesHand, AxisMapping};
+    /// let ros_to_unity: AxisMapping = "ROS to Unity".parse()?;
+    /// assert_eq!(ros_to_unity, "-y z x".parse()?);
+    /// assert_eq!(ros_to_unity.hand(), AxesHand::Changed);
+    /// # Ok::<(), quatlas::UnknownAxes>(())
+    /// ```
+    fn from_str(text: &str) -> Result<Self, UnknownAxes> {
+        let lower = text.trim().to_ascii_lowercase().replace('\u{2212}', "-");
+        if matches!(lower.as_str(), "" | "none" | "same") {
+            return Ok(Self::NONE);
+        }
+        let halves = ["->", "\u{2192}", " to "]
+            .iter()
+            .find_map(|arrow| lower.split_once(arrow));
+        match halves {
+            Some((from, to)) => between(&system(from)?, &system(to)?),
+            None => signed_permutation(&lower),
+        }
+    }
+}
+
+impl fmt::Display for AxisMapping {
+    /// `y x -z`, which reads back.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = self.axes.map(|SignedAxis { axis, sense }| {
+            let sign = if sense == Sense::Against { "-" } else { "" };
+            format!("{sign}{}", ["x", "y", "z"][axis.index()])
+        });
+        f.write_str(&names.join(" "))
+    }
+}
+
+/// Where the three axes of a system point, by letters.
+fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
+    let unknown = || UnknownAxes {
+        message: format!("{} names no axes", shorten(name.trim(), QUOTED_CHARACTERS)),
+    };
+    let trimmed = name.trim().to_ascii_lowercase();
+    let named = NAMED_AXES.iter().find(|(known, _)| *known == trimmed);
+    let letters = named.map_or(trimmed.to_ascii_uppercase(), |(_, letters)| {
+        (*letters).to_owned()
+    });
+    let letters: [char; 3] = letters
+        .chars()
+        .collect::<Vec<_>>()
+        .try_into()
+        .map_err(|_| unknown())?;
+    let pair = |letter| {
+        OPPOSITES
+            .iter()
+            .position(|&(one, other)| letter == one || letter == other)
+    };
+    let pairs = letters.map(pair);
+    // A system of the world has north and east, one of a body has forward and right.
+    let is_whole = [[0, 1, 2], [2, 3, 4]]
+        .iter()
+        .any(|whole| whole.iter().all(|&place| pairs.contains(&Some(place))));
+    is_whole.then_some(letters).ok_or_else(unknown)
+}
+
+fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes> {
+    let opposite = |letter| {
+        OPPOSITES.iter().find_map(|&(one, other)| match letter {
+            letter if letter == one => Some(other),
+            letter if letter == other => Some(one),
+            _ => None,
+        })
+    };
+    let axes = [Axis::X, Axis::Y, Axis::Z];
+    let source = |letter: char| {
+        axes.into_iter().zip(from).find_map(|(axis, &old)| {
+            let sense = if old == letter {
+                Sense::Along
+            } else if opposite(old) == Some(letter) {
+                Sense::Against
+            } else {
+                return None;
+            };
+            Some(SignedAxis { axis, sense })
+        })
+    };
+    let unrelated = || UnknownAxes {
+        message: "one of the two is of a body and the other of the world".to_owned(),
+    };
+    let [x, y, z] = to.map(|letter| source(letter).ok_or_else(unrelated));
+    Ok(AxisMapping { axes: [x?, y?, z?] })
+}
+
+fn signed_permutation(text: &str) -> Result<AxisMapping, UnknownAxes> {
+    let unknown = || UnknownAxes {
+        message: "this is no mapping of axes".to_owned(),
+    };
+    let compact: String = text
+        .chars()
+        .filter(|character| !character.is_whitespace() && !",;()[]+".contains(*character))
+        .collect();
+    let mut axes = Vec::new();
+    let mut sense = Sense::Along;
+    for character in compact.chars() {
+        let axis = match character {
+            '-' if sense == Sense::Along => {
+                sense = Sense::Against;
+                continue;
+            }
+            'x' => Axis::X,
+            'y' => Axis::Y,
+            'z' => Axis::Z,
+            _ => return Err(unknown()),
+        };
+        axes.push(SignedAxis { axis, sense });
+        sense = Sense::Along;
+    }
+    let axes: [SignedAxis; 3] = axes.try_into().map_err(|_| unknown())?;
+    let [x, y, z] = axes.map(|signed| signed.axis);
+    if sense == Sense::Against {
+        return Err(unknown());
+    }
+    if x == y || y == z || x == z {
+        return Err(UnknownAxes {
+            message: "an old axis stands twice, so another one is lost".to_owned(),
+        });
+    }
+    Ok(AxisMapping { axes })
+}

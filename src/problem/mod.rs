@@ -1,0 +1,378 @@
+//! One problem: a stable code, a place in the text, and sentences that help.
+//!
+//! A problem never ends the program: it is data, returned in place of a
+//! report. What each says stands in `sentences/`.
+
+// A problem without its text.
+pub(crate) mod fault;
+
+// What each problem says.
+pub(crate) mod sentences;
+
+/// A text to write in place of one with a problem.
+pub mod suggestion;
+
+use crate::problem::suggestion::Suggestion;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::ops::Range;
+use unicode_width::UnicodeWidthStr;
+
+/// Which text of a request a problem or a note is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum Field {
+    /// The quaternion of the Read view.
+    Quaternion,
+    /// The left operand `p` of the Compose view.
+    P,
+    /// The right operand `q` of the Compose view.
+    Q,
+    /// The vector `x`.
+    Vector,
+    /// Where a translation comes from.
+    From,
+    /// Where a translation goes to.
+    To,
+    /// The change of the world axes of a translation.
+    WorldAxes,
+    /// The change of the body axes of a translation.
+    BodyAxes,
+    /// The left operand of an observed product.
+    A,
+    /// The right operand of an observed product.
+    B,
+    /// The matrix that went into an observed library.
+    Matrix,
+    /// The rotation vector of an observed perturbation.
+    RotationVector,
+    /// What an observed library printed.
+    Printed,
+}
+
+/// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
+pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
+
+/// Whether a text is longer than any that is read.
+pub(crate) const fn is_too_long(text: &str) -> bool {
+    text.len() > MAX_TEXT_BYTES
+}
+
+/// A half-open range of a text.
+///
+/// Inside the crate it counts bytes of UTF-8; at the JavaScript boundary it is
+/// turned into UTF-16 units by [`Span::in_utf16`], which is what an HTML text
+/// field counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Span {
+    /// The first unit inside.
+    pub start: usize,
+    /// The first unit after it.
+    pub end: usize,
+}
+
+impl Span {
+    /// The text without the white space around it; all of a text that is too long to look at.
+    pub(crate) fn of_trimmed(text: &str) -> Self {
+        if is_too_long(text) {
+            return Self::from(0..text.len());
+        }
+        let start = text.len() - text.trim_start().len();
+        Self::from(start..text.trim_end().len().max(start))
+    }
+
+    /// The smallest span that holds both.
+    #[must_use]
+    pub fn to(self, other: Self) -> Self {
+        Self {
+            start: self.start.min(other.start),
+            end: self.end.max(other.end),
+        }
+    }
+
+    /// The same place counted in UTF-16 units of `text`, from a span in bytes.
+    ///
+    /// A position inside a character or past the end moves back to the nearest
+    /// place where a character starts.
+    ///
+    /// ```
+    /// use quatlas::Span;
+    /// // The emoji takes 4 bytes and 2 UTF-16 units.
+    /// let bytes = Span { start: 4, end: 5 };
+    /// assert_eq!(bytes.in_utf16("🙂x"), Span { start: 2, end: 3 });
+    /// ```
+    #[must_use]
+    pub fn in_utf16(self, text: &str) -> Self {
+        let units = |byte| text[..floor_boundary(text, byte)].encode_utf16().count();
+        Self {
+            start: units(self.start),
+            end: units(self.end),
+        }
+    }
+}
+
+impl From<Range<usize>> for Span {
+    fn from(range: Range<usize>) -> Self {
+        Self {
+            start: range.start,
+            end: range.end,
+        }
+    }
+}
+
+/// The greatest character boundary of `text` that is not after `byte`.
+fn floor_boundary(text: &str, byte: usize) -> usize {
+    (0..=byte.min(text.len()))
+        .rev()
+        .find(|&at| text.is_char_boundary(at))
+        .unwrap_or(0)
+}
+
+/// What kind of problem it is; the names are stable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum ProblemCode {
+    /// Nothing but white space.
+    EmptyText,
+    /// More text than is read.
+    TextTooLong,
+    /// More brackets inside brackets than are read.
+    NestedTooDeep,
+    /// A character that has no meaning here.
+    UnexpectedCharacter,
+    /// A number, name or sign in a place where it cannot stand.
+    Unexpected,
+    /// The text stops where a number should follow.
+    UnexpectedEnd,
+    /// A bracket that is never closed.
+    UnclosedBracket,
+    /// A closing bracket that closes nothing, or closes another kind.
+    UnmatchedBracket,
+    /// A word that is not a number, a unit or a function.
+    UnknownWord,
+    /// Too few or too many numbers.
+    WrongCount,
+    /// A component that is named twice.
+    DuplicateComponent,
+    /// A component that is not named while others are.
+    MissingComponent,
+    /// A name that is no component.
+    UnknownComponent,
+    /// Some numbers are named and some are not.
+    MixedNames,
+    /// A division by zero.
+    DivisionByZero,
+    /// Not a number, or an expression that has no real value.
+    NotANumber,
+    /// Infinity.
+    Infinite,
+    /// Too large for a double.
+    TooLarge,
+    /// Not zero, but so small that a double would make it zero.
+    TooSmall,
+    /// A product of two imaginary units, whose sign is the very question.
+    ProductOfUnits,
+    /// A scalar part where a vector is meant.
+    ScalarInVector,
+    /// A zero quaternion, which is no rotation.
+    ZeroQuaternion,
+    /// A matrix with a negative determinant.
+    Reflection,
+    /// A matrix that is far from every rotation, or an axis of which a call makes none.
+    NotARotation,
+    /// An axis of length zero.
+    ZeroAxis,
+    /// Letters that are no Euler sequence, or angles without a sequence.
+    UnknownSequence,
+    /// Degrees and radians in one rotation, or a unit at some of its angles only.
+    MixedUnits,
+    /// Another description of a rotation where only a quaternion is read.
+    NotAQuaternion,
+    /// Another description of a rotation where only a matrix is read.
+    NotAMatrix,
+    /// An id that no library of the table has.
+    UnknownLibrary,
+    /// A text that names no mapping of axes.
+    UnknownAxes,
+    /// Axes of the other hand on one side only.
+    OneSidedReflection,
+}
+
+impl ProblemCode {
+    /// The stable name, as it is written in JavaScript and in the test files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::EmptyText => "empty-text",
+            Self::TextTooLong => "text-too-long",
+            Self::NestedTooDeep => "nested-too-deep",
+            Self::UnexpectedCharacter => "unexpected-character",
+            Self::Unexpected => "unexpected",
+            Self::UnexpectedEnd => "unexpected-end",
+            Self::UnclosedBracket => "unclosed-bracket",
+            Self::UnmatchedBracket => "unmatched-bracket",
+            Self::UnknownWord => "unknown-word",
+            Self::WrongCount => "wrong-count",
+            Self::DuplicateComponent => "duplicate-component",
+            Self::MissingComponent => "missing-component",
+            Self::UnknownComponent => "unknown-component",
+            Self::MixedNames => "mixed-names",
+            Self::DivisionByZero => "division-by-zero",
+            Self::NotANumber => "not-a-number",
+            Self::Infinite => "infinite",
+            Self::TooLarge => "too-large",
+            Self::TooSmall => "too-small",
+            Self::ProductOfUnits => "product-of-units",
+            Self::ScalarInVector => "scalar-in-vector",
+            Self::ZeroQuaternion => "zero-quaternion",
+            Self::Reflection => "reflection",
+            Self::NotARotation => "not-a-rotation",
+            Self::ZeroAxis => "zero-axis",
+            Self::UnknownSequence => "unknown-sequence",
+            Self::MixedUnits => "mixed-units",
+            Self::NotAQuaternion => "not-a-quaternion",
+            Self::NotAMatrix => "not-a-matrix",
+            Self::UnknownLibrary => "unknown-library",
+            Self::UnknownAxes => "unknown-axes",
+            Self::OneSidedReflection => "one-sided-reflection",
+        }
+    }
+}
+
+/// Why a text has no result: the place, what is wrong, what was expected, what to try.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct Problem {
+    /// The stable name of the kind of problem.
+    pub code: ProblemCode,
+    /// The text it is about.
+    pub field: Field,
+    /// Where in that text: bytes in Rust, UTF-16 units in JavaScript.
+    pub span: Span,
+    /// What is wrong, in one sentence.
+    pub message: String,
+    /// What was expected at that place.
+    pub expected: String,
+    /// What to try.
+    pub hint: String,
+    /// The text to write in its place, where that is certain; in the answers of
+    /// [`analyze`](fn@crate::analyze) only.
+    pub suggestion: Option<Box<Suggestion>>,
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.message)
+    }
+}
+
+impl std::error::Error for Problem {}
+
+/// How much of a long line [`Problem::render`] shows on each side of the place, in characters.
+const EXCERPT_CHARACTERS: usize = 32;
+
+impl Problem {
+    /// The problem as lines of text: the message, the line at fault with carets under the place,
+    /// what was expected and what to try, and the text to write where there is one.
+    ///
+    /// ```
+    /// # use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
+    /// let text = "🙂 0 0 1";
+    /// let request = Request::Read(ReadRequest::new(text, "1 0 0", Convention::HAMILTON));
+    /// let Outcome::Problems(found) = analyze(&request) else { panic!() };
+    /// let lines = found.problems[0].render(text);
+    /// assert!(lines.contains("\n  | 🙂 0 0 1\n  | ^^\n"), "{lines}");
+    /// ```
+    #[must_use]
+    pub fn render(&self, text: &str) -> String {
+        let start = floor_boundary(text, self.span.start);
+        let end = floor_boundary(text, self.span.end).max(start);
+        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+        // A tab would move the carets: every control character is shown as one space.
+        let plain = |part: &str| part.replace(char::is_control, " ");
+        let before = plain(&text[line_start..start]);
+        let marked = plain(&text[start..end.min(line_end)]);
+        let after = plain(&text[end.min(line_end)..line_end]);
+
+        let lead = match before.char_indices().nth_back(EXCERPT_CHARACTERS - 1) {
+            Some((at, _)) if at > 0 => format!("…{}", &before[at..]),
+            _ => before,
+        };
+        let marked = shorten(&marked, EXCERPT_CHARACTERS);
+        let tail = shorten(&after, EXCERPT_CHARACTERS);
+        let carets = "^".repeat(marked.width().max(1));
+        let write = self
+            .suggestion
+            .as_ref()
+            .map_or_else(String::new, |found| format!("write:\n{}\n", found.text));
+        format!(
+            "{}: {}\n  | {}{}{}\n  | {}{}\nexpected: {}\ntry: {}\n{write}",
+            self.code.name(),
+            self.message,
+            lead,
+            marked,
+            tail,
+            " ".repeat(lead.width()),
+            carets,
+            self.expected,
+            self.hint,
+        )
+    }
+}
+
+/// What a text is meant to hold, which decides the examples in its messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    Quaternion,
+    Vector,
+}
+
+impl Wanted {
+    pub(crate) const fn count(self) -> usize {
+        match self {
+            Self::Quaternion => 4,
+            Self::Vector => 3,
+        }
+    }
+
+    pub(crate) const fn in_words(self) -> &'static str {
+        match self {
+            Self::Quaternion => {
+                "a rotation: the numbers of a quaternion, or axis and angle, a rotation vector, \
+                 Euler angles, a matrix"
+            }
+            Self::Vector => "a vector: three numbers, or named components x, y and z",
+        }
+    }
+
+    pub(crate) const fn example(self) -> &'static str {
+        match self {
+            Self::Quaternion => "1/sqrt(2) 0 0 1/sqrt(2)",
+            Self::Vector => "1 0 0",
+        }
+    }
+
+    pub(crate) const fn names(self) -> &'static str {
+        match self {
+            Self::Quaternion => "w, x, y and z",
+            Self::Vector => "x, y and z",
+        }
+    }
+}
+
+/// How many characters of the user's own text a message repeats.
+pub(crate) const QUOTED_CHARACTERS: usize = 24;
+
+/// The first `most` characters of a text, with an ellipsis where some were left out.
+pub(crate) fn shorten(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((at, _)) => format!("{}…", &text[..at]),
+        None => text.to_owned(),
+    }
+}

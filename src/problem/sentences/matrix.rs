@@ -1,0 +1,191 @@
+//! The sentences of problems of matrices.
+
+use crate::problem::fault::Fault;
+use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
+
+const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
+
+pub(crate) const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
+     three rows";
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+const ORDINALS: [&str; 3] = ["first", "second", "third"];
+
+/// What a reflection flips.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mirror {
+    All,
+    /// The axis that stands against itself.
+    Axis(usize),
+    /// The matrix alone does not tell which; with this one flipped the turn is smallest.
+    Nearest(usize),
+}
+
+impl Fault {
+    pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
+        let (shape, hint) = match found {
+            16 => (" (4 by 4)", UPPER_LEFT),
+            12 => (" (3 by 4)", UPPER_LEFT),
+            _ => (
+                "",
+                "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
+            ),
+        };
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{}{shape} in place of 9", numbers(found)),
+            THREE_ROWS,
+            hint,
+        )
+    }
+
+    pub(crate) fn missing_vector(span: Span, names: &[String]) -> Self {
+        let verb = if names.len() == 1 { "is" } else { "are" };
+        Self::new(
+            ProblemCode::MissingComponent,
+            span,
+            format!("{} {verb} missing", names.join(" and ")),
+            "three vectors of three numbers",
+            "add it: of right-handed axes the third is the cross product of the other two",
+        )
+    }
+
+    pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
+        let first = rows.first().copied().unwrap_or_default();
+        let is_even = rows.iter().all(|length| *length == first);
+        let message = if is_even {
+            format!("{} rows of {first} in place of 3 rows of 3", rows.len())
+        } else {
+            "the rows have different lengths in place of 3 rows of 3".to_owned()
+        };
+        let hint = match (rows.len(), is_even, first) {
+            (3 | 4, true, 4) => UPPER_LEFT,
+            _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+        };
+        Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
+    }
+
+    pub(crate) fn rows_or_columns(span: Span, name: &str) -> Self {
+        let name = shorten(name, QUOTED_CHARACTERS);
+        Self::new(
+            ProblemCode::UnknownWord,
+            span,
+            format!(
+                "{name} fills rows in some libraries and columns in others, or takes vectors as rows"
+            ),
+            "numbers that are known to stand row by row, as in Eigen::Matrix3d or nalgebra::Matrix3::new",
+            "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+        )
+    }
+
+    pub(crate) fn reflection(span: Span, mirror: Mirror) -> Self {
+        let (what, hint) = match mirror {
+            Mirror::All => (
+                "all three axes are flipped".to_owned(),
+                "change the sign of all nine numbers".to_owned(),
+            ),
+            Mirror::Axis(axis) => (
+                format!("the {} axis is flipped", AXES[axis]),
+                format!("change the sign of the {} column", ORDINALS[axis]),
+            ),
+            Mirror::Nearest(axis) => (
+                format!(
+                    "one axis is flipped, and turning {} back leaves the smallest turn",
+                    AXES[axis]
+                ),
+                format!("change the sign of the {} column", ORDINALS[axis]),
+            ),
+        };
+        Self::new(
+            ProblemCode::Reflection,
+            span,
+            format!("this matrix is a mirror image, which no turn makes: {what}"),
+            "a determinant of +1",
+            format!("{hint}, or look for left-handed axes"),
+        )
+    }
+
+    pub(crate) fn singular_matrix(span: Span) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            "the columns of this matrix lie in a plane: no rotation is nearer than all others",
+            THREE_ROWS,
+            "look for a row that stands twice, or for zeros that should be numbers",
+        )
+    }
+
+    pub(crate) fn scaled_rotation(span: Span, scale: f64) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!("this is a rotation matrix times {}", short(scale)),
+            "columns of length 1",
+            format!("divide all nine numbers by {}", short(scale)),
+        )
+    }
+
+    pub(crate) fn zero_matrix(span: Span) -> Self {
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            "all nine numbers are zero: this is not a rotation",
+            THREE_ROWS,
+            "the matrix of no turn is 1 0 0 0 1 0 0 0 1",
+        )
+    }
+
+    pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3], correction: Option<f64>) -> Self {
+        let [x, y, z] = lengths.map(short);
+        let far = match correction {
+            Some(correction) => format!("{} away from the nearest rotation", short(correction)),
+            None => "far from a rotation".to_owned(),
+        };
+        Self::new(
+            ProblemCode::NotARotation,
+            span,
+            format!("this matrix is {far}: its columns have the lengths {x}, {y}, {z}"),
+            "columns of length 1 at right angles",
+            "look for a missing sign, or for numbers that belong to something else",
+        )
+    }
+}
+
+/// A number with about four digits, for a sentence. By whole numbers: how floating-point numbers are
+/// written exactly is 9 kB of compressed wasm that nothing else needs.
+fn short(number: f64) -> String {
+    if number == 0.0 || (1e-2..1e6).contains(&number) {
+        let (whole, part) = whole_and_part(number, 10_000);
+        let text = format!("{whole}.{part:04}");
+        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+    }
+    let (mut mantissa, mut exponent) = (number, 0);
+    while mantissa >= 10.0 && mantissa.is_finite() {
+        (mantissa, exponent) = (mantissa / 10.0, exponent + 1);
+    }
+    while mantissa < 1.0 && mantissa > 0.0 {
+        (mantissa, exponent) = (mantissa * 10.0, exponent - 1);
+    }
+    // 9.9999 is 10.000 when it is rounded.
+    if mantissa >= 9.9995 {
+        (mantissa, exponent) = (mantissa / 10.0, exponent + 1);
+    }
+    let (whole, part) = whole_and_part(mantissa, 1000);
+    format!("{whole}.{part:03}e{exponent}")
+}
+
+/// A number from 0 to 10⁶ as a whole number and as many thousandths or such.
+fn whole_and_part(number: f64, parts: u32) -> (u64, u64) {
+    #[expect(clippy::cast_possible_truncation, reason = "parts are 10^4 at most")]
+    let rounded = (number * f64::from(parts)).round() as u64;
+    (rounded / u64::from(parts), rounded % u64::from(parts))
+}
+
+/// A count of numbers in words.
+pub(crate) fn numbers(count: usize) -> String {
+    match count {
+        1 => "1 number".to_owned(),
+        _ => format!("{count} numbers"),
+    }
+}

@@ -1,0 +1,19 @@
+//! The sentences of problems: what is wrong, what was expected, what to try.
+
+// Of Euler sequences and their frames.
+mod euler;
+
+// Of translation and identification.
+mod library;
+
+// Of single characters.
+mod mark;
+
+// Of matrices.
+pub(crate) mod matrix;
+
+// Of rotations and what stands for them.
+mod rotation;
+
+// Of any text.
+pub(crate) mod text;

@@ -1,0 +1,175 @@
+//! Members with names: which component each is, and which of several values is meant.
+
+use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
+use crate::text::grammar::lex::last_segment;
+use crate::text::grammar::tree::{Entry, Key, NodeKind};
+use crate::text::vocabulary::constructors::is_derived_label;
+use crate::text::vocabulary::phrases::is_sequence;
+
+/// Names of that part of a message which is the quaternion, or holds it.
+pub(crate) const ORIENTATIONS: [&str; 6] = [
+    "orientation",
+    "rotation",
+    "quaternion",
+    "quat",
+    "pose",
+    "transform",
+];
+
+/// Names of members that change no number: what programs print beside a rotation.
+const HARMLESS: [&str; 27] = [
+    "child",
+    "child_frame_id",
+    "class",
+    "comment",
+    "copy",
+    "description",
+    "device",
+    "dtype",
+    "frame_id",
+    "header",
+    "id",
+    "iseuler",
+    "ismatrix3",
+    "isquaternion",
+    "isvector3",
+    "label",
+    "name",
+    "parent",
+    "requires_grad",
+    "seq",
+    "shape",
+    "stamp",
+    "time",
+    "timestamp",
+    "topic",
+    "type",
+    "uuid",
+];
+
+/// Words in the value of such a member that may change the numbers all the same.
+const TELLING: [&str; 9] = [
+    "col", "deg", "hamilton", "jpl", "left", "rad", "trinsic", "wxyz", "xyzw",
+];
+
+fn is_harmless(entry: &Entry<'_>, name: &str) -> bool {
+    let name = last_segment(name).to_ascii_lowercase();
+    let tells = match entry.node.kind {
+        NodeKind::Word(word) if matches!(name.as_str(), "seq" | "type") => {
+            let word = word.to_ascii_lowercase();
+            is_sequence(&word) || TELLING.iter().any(|telling| word.contains(telling))
+        }
+        _ => false,
+    };
+    !tells && (HARMLESS.contains(&name.as_str()) || name.ends_with("covariance"))
+}
+
+/// The members that are numbers or hold numbers; a problem where a word may change them.
+pub(crate) fn without_options<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut members = Vec::new();
+    for entry in entries {
+        match entry.key {
+            Some(key) if is_harmless(entry, key.name) => {}
+            Some(key)
+                if component(key.name).is_none()
+                    && matches!(entry.node.kind, NodeKind::Word(_)) =>
+            {
+                return Err(Fault::unknown_argument(key.span, key.name));
+            }
+            _ => members.push(entry.clone()),
+        }
+    }
+    Ok(members)
+}
+
+const COMPONENT_NAMES: [&str; 4] = ["w", "x", "y", "z"];
+
+/// The place of a component in `[w, x, y, z]`, by any of its names.
+pub(crate) fn component(name: &str) -> Option<usize> {
+    Some(match last_segment(name).to_ascii_lowercase().as_str() {
+        "w" | "qw" | "q_w" | "_w" => 0,
+        "x" | "qx" | "q_x" | "_x" => 1,
+        "y" | "qy" | "q_y" | "_y" => 2,
+        "z" | "qz" | "q_z" | "_z" => 3,
+        _ => return None,
+    })
+}
+
+pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
+    without_options(entries)?;
+    let entries = of_one_value(entries)?;
+    let mut found = [None; 4];
+    for entry in without_options(entries)? {
+        let Some(key) = entry.key else {
+            return Err(Fault::mixed_names(entry.node.span));
+        };
+        let Some(place) = component(key.name) else {
+            return Err(Fault::unknown_component(key.span, wanted, key.name));
+        };
+        let whole = key.span.to(entry.node.span);
+        if place == 0 && wanted == Wanted::Vector {
+            return Err(Fault::scalar_in_vector(whole));
+        }
+        if found[place].replace(entry.node.real()?).is_some() {
+            return Err(Fault::duplicate_component(whole, COMPONENT_NAMES[place]));
+        }
+    }
+    let missing: Vec<_> = (4 - wanted.count()..4)
+        .filter(|&place| found[place].is_none())
+        .map(|place| COMPONENT_NAMES[place])
+        .collect();
+    if !missing.is_empty() {
+        return Err(Fault::missing_component(span, wanted, &missing));
+    }
+    Ok(found.map(Option::unwrap_or_default))
+}
+
+/// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
+/// several apart: those of the orientation, or a problem where none
+/// or more than one is.
+fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
+    let path = |key: Key<'t>| {
+        key.name
+            .rsplit_once(['.', ':'])
+            .map_or("", |(path, _)| path)
+    };
+    let starts = |at: usize| {
+        let Some(key) = entries[at].key else {
+            return false;
+        };
+        let before = at.checked_sub(1).and_then(|before| entries[before].key);
+        key.heading.is_some() || before.is_some_and(|before| path(before) != path(key))
+    };
+    let bounds: Vec<usize> = std::iter::once(0)
+        .chain((1..entries.len()).filter(|&at| starts(at)))
+        .chain([entries.len()])
+        .collect();
+    let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
+    if bounds.len() == 2 {
+        let key = entries.first().and_then(|entry| entry.key);
+        if let Some(key) = key
+            && key.heading.is_some_and(is_derived_label)
+        {
+            return Err(Fault::derived_label(
+                key.span,
+                key.heading.unwrap_or(key.name),
+            ));
+        }
+        return Ok(entries);
+    }
+    let is_orientation = |group: &&[Entry<'t>]| {
+        let key = group.first().and_then(|entry| entry.key);
+        key.is_some_and(|key| {
+            let heading = key.heading.unwrap_or_else(|| path(key));
+            ORIENTATIONS.contains(&last_segment(heading))
+        })
+    };
+    let second = bounds[1];
+    let mut orientations = groups.filter(is_orientation);
+    match (orientations.next(), orientations.next()) {
+        (Some(only), None) => Ok(only),
+        (Some(_), Some(other)) => Err(Fault::several_values(other[0].node.span)),
+        (None, _) => Err(Fault::several_values(entries[second].node.span)),
+    }
+}

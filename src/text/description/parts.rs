@@ -1,0 +1,164 @@
+//! The parts of a rotation by name: `roll=10deg pitch=20deg yaw=30deg`, `axis=[0, 0, 1] angle=45deg`.
+
+use crate::convention::angle::AngleUnit;
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::text::description::angle::{self, Angle, UnitRule};
+use crate::text::description::announcement::Announcement;
+use crate::text::description::axis::{self, trimmed};
+use crate::text::description::{self, ParsedRotation, euler_angles};
+use crate::text::grammar::lex::{Token, last_segment};
+use crate::text::grammar::nesting::at_depth_zero;
+use crate::text::vocabulary::phrases::{Form, is_mark, is_name};
+
+pub(crate) struct SpokenPart<'s, 't> {
+    pub(crate) part: Part,
+    /// That of its name.
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) label: Span,
+    pub(crate) tokens: &'s [Token<'t>],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    Axis,
+    Angle,
+    Roll,
+    Pitch,
+    Yaw,
+}
+
+impl Part {
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Axis => "axis",
+            Self::Angle => "angle",
+            Self::Roll => "roll",
+            Self::Pitch => "pitch",
+            Self::Yaw => "yaw",
+        }
+    }
+
+    /// The part that a name is, with the unit at its end, as in `roll_deg`.
+    fn named(token: &Token<'_>) -> Option<(Self, Option<AngleUnit>)> {
+        if !is_name(token) {
+            return None;
+        }
+        let lower = last_segment(token.text).to_ascii_lowercase();
+        let (name, unit) = match lower.split_once('_') {
+            Some((name, unit)) => (name, Some(AngleUnit::named(unit)?)),
+            None => (lower.as_str(), None),
+        };
+        let part = match name {
+            "axis" if unit.is_none() => Self::Axis,
+            "angle" => Self::Angle,
+            "roll" => Self::Roll,
+            "pitch" => Self::Pitch,
+            "yaw" | "heading" => Self::Yaw,
+            _ => return None,
+        };
+        Some((part, unit))
+    }
+}
+
+/// The parts whose names a text begins with.
+pub(crate) fn named_parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s, 't>>> {
+    let found: Vec<_> = at_depth_zero(tokens)
+        .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
+        .collect();
+    let [(first, ..), later @ ..] = &found[..] else {
+        return None;
+    };
+    // A type may stand before the first name, as in `double roll = 0.1`.
+    if *first > 1 || (*first == 1 && !is_name(&tokens[0])) {
+        return None;
+    }
+    let ends = later.iter().map(|&(at, ..)| at);
+    let parts = found.iter().zip(ends.chain([tokens.len()]));
+    Some(
+        parts
+            .map(|(&(at, (part, unit)), end)| SpokenPart {
+                part,
+                unit,
+                label: tokens[at].span,
+                tokens: &tokens[at + 1 + usize::from(is_mark(tokens.get(at + 1)))..end],
+            })
+            .collect(),
+    )
+}
+
+/// Whether a token names a roll, pitch or yaw.
+pub(crate) fn is_named_angle(token: &Token<'_>) -> bool {
+    Part::named(token).is_some_and(|(part, _)| !is_of_turn(part))
+}
+
+/// The rotation whose parts these are, announced as what they can be.
+pub(crate) fn rotation(
+    parts: &[SpokenPart<'_, '_>],
+    announcement: &Announcement<'_>,
+    span: Span,
+) -> Result<ParsedRotation, Fault> {
+    for (at, part) in parts.iter().enumerate() {
+        if is_of_turn(part.part) != is_of_turn(parts[0].part) {
+            return Err(Fault::mixed_parts(part.label));
+        }
+        if parts[..at].iter().any(|other| other.part == part.part) {
+            return Err(Fault::duplicate_part(part.label, part.part.name()));
+        }
+    }
+    let is_announced = match announcement.form {
+        None => true,
+        Some(Form::AxisAngle | Form::AngleAxis) => is_of_turn(parts[0].part),
+        Some(Form::Euler) => !is_of_turn(parts[0].part),
+        Some(_) => false,
+    };
+    if !is_announced {
+        return Err(Fault::mixed_parts(parts[0].label));
+    }
+    let for_all = announcement.unit;
+    let find = |wanted| parts.iter().find(|part| part.part == wanted);
+    let end = Span::from(span.end..span.end);
+    if is_of_turn(parts[0].part) {
+        let axis = find(Part::Axis).ok_or_else(|| Fault::no_axis(end))?;
+        let angle = find(Part::Angle).ok_or_else(|| Fault::no_angle(end))?;
+        let axis = axis::axis(axis.tokens, axis.label)?;
+        let angle = angle_of(angle, angle.tokens)?;
+        return description::axis_angle(axis, angle, angle::rule(for_all, UnitRule::Magnitude));
+    }
+    let names = [Part::Roll, Part::Pitch, Part::Yaw];
+    let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
+        let missing = names.into_iter().filter(|part| find(*part).is_none());
+        let missing: Vec<_> = missing.map(Part::name).collect();
+        return Err(Fault::missing_part(span, &missing));
+    };
+    // A unit apart after the last number is one for all.
+    let last = parts.last().map_or(&[][..], |last| last.tokens);
+    let (last_number, unit) = angle::without_unit(trimmed(last));
+    let angle = |part: &SpokenPart<'_, '_>| {
+        let is_last = std::ptr::eq(part.tokens, last);
+        angle_of(part, if is_last { last_number } else { part.tokens })
+    };
+    let by_axis = [angle(roll)?, angle(pitch)?, angle(yaw)?];
+    if let (Some(one), Some(other)) = (unit, for_all)
+        && one != other
+    {
+        return Err(Fault::mixed_units(span));
+    }
+    let rule = angle::rule(unit.or(for_all), UnitRule::Magnitude);
+    let sequence = announcement.sequence_of_named_angles()?;
+    let angles = sequence.axes.axes().map(|axis| by_axis[axis.index()]);
+    euler_angles(sequence, angles, rule)
+}
+
+/// The angle that tokens are, in the unit that the name of the part says.
+fn angle_of(part: &SpokenPart<'_, '_>, tokens: &[Token<'_>]) -> Result<Angle, Fault> {
+    let (value, span) = axis::angle(tokens, part.label)?;
+    match part.unit {
+        Some(unit) => Ok((value.angle(unit, span)?, span)),
+        None => Ok((value, span)),
+    }
+}
+
+fn is_of_turn(part: Part) -> bool {
+    matches!(part, Part::Axis | Part::Angle)
+}

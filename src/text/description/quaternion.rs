@@ -1,0 +1,336 @@
+//! Members of a text to named components: which number is the scalar, and what is no quaternion.
+
+use crate::convention::ComponentOrder;
+use crate::convention::OrderSource;
+use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted, shorten};
+use crate::text::description::list::{check_separators, held, values};
+use crate::text::description::members::{ORIENTATIONS, component, named, without_options};
+use crate::text::grammar::arithmetic::Linear;
+use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
+use crate::text::vocabulary::constructors::{self, Call};
+use nalgebra::{Quaternion, Vector3};
+use std::borrow::Cow;
+
+/// Four finite numbers, and how the text told which is which.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParsedQuaternion {
+    /// The components by name.
+    pub quaternion: Quaternion<f64>,
+    /// The order that was used: the text's own, or else the declared one.
+    pub order: ComponentOrder,
+    /// How that order was told.
+    pub order_source: OrderSource,
+    /// The name of a call that is not known here, so that its order is only assumed.
+    pub unknown_constructor: Option<String>,
+}
+
+/// How much of an unknown constructor's name a note repeats, in characters.
+const LONGEST_NAME: usize = 40;
+
+/// What is known of the order so far, on the way from the outer brackets to the inner ones.
+#[derive(Clone)]
+struct Order {
+    declared: ComponentOrder,
+    order: ComponentOrder,
+    source: OrderSource,
+    unknown_constructor: Option<String>,
+}
+
+impl Order {
+    fn told(&self, order: ComponentOrder, source: OrderSource) -> Self {
+        Self {
+            declared: self.declared,
+            order,
+            source,
+            unknown_constructor: None,
+        }
+    }
+
+    /// Names have no order of their own, so the declared one stands.
+    fn by_names(&self) -> Self {
+        self.told(self.declared, OrderSource::Named)
+    }
+
+    fn unknown(self, name: &str) -> Self {
+        let first = self.unknown_constructor.clone();
+        Self {
+            unknown_constructor: first.or_else(|| Some(shorten(name, LONGEST_NAME))),
+            ..self
+        }
+    }
+
+    fn with(self, quaternion: Quaternion<f64>) -> ParsedQuaternion {
+        ParsedQuaternion {
+            quaternion,
+            order: self.order,
+            order_source: self.source,
+            unknown_constructor: self.unknown_constructor,
+        }
+    }
+}
+
+/// Whether members stand in a call, where a vector and a number are an axis and an angle.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Open,
+    InCall,
+}
+
+pub(crate) fn quaternion(
+    entries: &[Entry<'_>],
+    span: Span,
+    declared: ComponentOrder,
+    told: Option<ComponentOrder>,
+) -> Result<ParsedQuaternion, Fault> {
+    let order = Order {
+        declared,
+        order: told.unwrap_or(declared),
+        source: match told {
+            Some(_) => OrderSource::Named,
+            None => OrderSource::Declared,
+        },
+        unknown_constructor: None,
+    };
+    read_quaternion(entries, span, order, Place::Open)
+}
+
+fn read_quaternion(
+    entries: &[Entry<'_>],
+    span: Span,
+    order: Order,
+    place: Place,
+) -> Result<ParsedQuaternion, Fault> {
+    if let Some(node) = orientation(entries)? {
+        return read_members(node, order, place);
+    }
+    let (entries, label) = without_label(entries, Wanted::Quaternion)?;
+    let order = match label.and_then(|label| constructors::order_in_name(label.name)) {
+        Some(named) if order.source == OrderSource::Named && order.order != named => {
+            let label = label.unwrap_or_default();
+            return Err(Fault::unknown_argument(label.span, label.name));
+        }
+        Some(named) => order.told(named, OrderSource::Named),
+        None => order,
+    };
+    if let [only] = &entries[..]
+        && only.key.is_none()
+        && matches!(only.node.kind, NodeKind::List(_) | NodeKind::Call { .. })
+    {
+        return read_members(&only.node, order, place);
+    }
+    if entries.iter().any(|entry| entry.key.is_some()) {
+        let [w, x, y, z] = named(&entries, span, Wanted::Quaternion)?;
+        return Ok(order.by_names().with(Quaternion::new(w, x, y, z)));
+    }
+    if let [first, second] = &entries[..] {
+        if let (NodeKind::Value(_), Some(inner)) = (&first.node.kind, held(&second.node))
+            && !is_whole(inner)
+        {
+            let part = vector(inner, second.node.span)?;
+            let quaternion = Quaternion::from_parts(first.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
+            return Ok(order
+                .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
+                .with(quaternion));
+        }
+        if let (Some(inner), NodeKind::Value(_)) = (held(&first.node), &second.node.kind) {
+            if place == Place::InCall {
+                return Err(Fault::axis_and_angle(span));
+            }
+            let part = vector(inner, first.node.span)?;
+            let quaternion = Quaternion::from_parts(second.node.real()?, part);
+            check_pair(&order, &quaternion, span)?;
+            return Ok(order
+                .told(ComponentOrder::ScalarLast, OrderSource::Grouped)
+                .with(quaternion));
+        }
+    }
+    let values = values(&entries)?;
+    if let Some(sum) = sum_of_members(&entries, &values)? {
+        let [x, y, z] = sum.units.unwrap_or_default();
+        let quaternion = Quaternion::new(sum.scalar, x, y, z);
+        return Ok(order.by_names().with(quaternion));
+    }
+    let [a, b, c, d] = numbers(&entries, &values, span, Wanted::Quaternion)?;
+    let quaternion = match order.order {
+        ComponentOrder::ScalarFirst => Quaternion::new(a, b, c, d),
+        ComponentOrder::ScalarLast => Quaternion::new(d, a, b, c),
+    };
+    Ok(order.with(quaternion))
+}
+
+/// Whether a list is a quaternion by its count, and no vector part.
+fn is_whole(inner: &[Entry<'_>]) -> bool {
+    inner.len() == Wanted::Quaternion.count() && inner.iter().all(|entry| entry.key.is_none())
+}
+
+/// How far from 1 a length is that was typed as 1 with six decimals.
+const TYPED_AS_ONE: f64 = 1e-6;
+
+/// A vector of length 1 and a number that together have another norm may be an axis and its angle,
+/// unless a name before them says that they are a quaternion.
+fn check_pair(order: &Order, pair: &Quaternion<f64>, span: Span) -> Result<(), Fault> {
+    let is_one = |length: f64| (length - 1.0).abs() <= TYPED_AS_ONE;
+    let may_be_axis_and_angle = is_one(pair.imag().norm()) && !is_one(pair.norm());
+    if may_be_axis_and_angle && order.source == OrderSource::Declared {
+        return Err(Fault::axis_angle_or_quaternion(span));
+    }
+    Ok(())
+}
+
+/// What stands in the brackets of a list or a call.
+fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQuaternion, Fault> {
+    let (name, arguments) = match &node.kind {
+        NodeKind::List(inner) => return read_quaternion(inner, node.span, order, place),
+        NodeKind::Call { name, arguments } => (name, arguments),
+        NodeKind::Value(_) | NodeKind::Word(_) => {
+            return Err(Fault::wrong_count(node.span, Wanted::Quaternion, 1));
+        }
+    };
+    let order = match (scalar_first_argument(arguments)?, constructors::call(name)) {
+        (_, Call::Other | Call::Vector) => {
+            return Err(Fault::not_applied(node.span, name, Wanted::Quaternion));
+        }
+        (Some(named), _) | (None, Call::Ordered(named)) => {
+            order.told(named, OrderSource::Constructor)
+        }
+        (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
+        (None, Call::Unordered | Call::Container) => order,
+    };
+    let mut members = arguments.clone();
+    members.retain(|entry| !is_scalar_first(entry));
+    read_quaternion(&without_options(&members)?, node.span, order, Place::InCall)
+}
+
+/// `scalar_first=True`, as in `SciPy`'s `from_quat`.
+fn scalar_first_argument(arguments: &[Entry<'_>]) -> Result<Option<ComponentOrder>, Fault> {
+    let Some(entry) = arguments.iter().find(|entry| is_scalar_first(entry)) else {
+        return Ok(None);
+    };
+    match entry.node.truth() {
+        Some(true) => Ok(Some(ComponentOrder::ScalarFirst)),
+        Some(false) => Ok(Some(ComponentOrder::ScalarLast)),
+        None => Err(Fault::unknown_argument(entry.node.span, "scalar_first")),
+    }
+}
+
+fn is_scalar_first(entry: &Entry<'_>) -> bool {
+    entry.key.is_some_and(|key| key.name == "scalar_first")
+}
+
+/// The part of several named ones that is the orientation, as in JSON of a pose; a problem where
+/// another part is a rotation too.
+fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Result<Option<&'e Node<'t>>, Fault> {
+    let named = |entry: &Entry<'_>, is_it: &dyn Fn(&str) -> bool| {
+        !matches!(entry.node.kind, NodeKind::Word(_))
+            && entry.key.is_some_and(|key| is_it(key.name))
+    };
+    let is_orientation = |name: &str| ORIENTATIONS.contains(&name);
+    let found = entries.iter().find(|entry| {
+        matches!(entry.node.kind, NodeKind::List(_)) && named(entry, &is_orientation)
+    });
+    let Some(found) = found.filter(|_| entries.len() > 1) else {
+        return Ok(None);
+    };
+    without_options(entries)?;
+    let is_rotation = |name: &str| is_orientation(name) || constructors::is_other_label(name);
+    let other = entries
+        .iter()
+        .find(|entry| !std::ptr::eq(*entry, found) && named(entry, &is_rotation));
+    match other {
+        Some(other) => Err(Fault::several_values(other.node.span)),
+        None => Ok(Some(&found.node)),
+    }
+}
+
+pub(crate) fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
+    let (entries, _) = without_label(entries, Wanted::Vector)?;
+    if let [only] = &entries[..]
+        && only.key.is_none()
+    {
+        match (&only.node.kind, held(&only.node)) {
+            (_, Some(inner)) => {
+                return vector(&without_options(inner)?, only.node.span);
+            }
+            (NodeKind::Call { name, .. }, None) => {
+                return Err(Fault::not_applied(only.node.span, name, Wanted::Vector));
+            }
+            _ => {}
+        }
+    }
+    if entries.iter().any(|entry| entry.key.is_some()) {
+        let [_, x, y, z] = named(&entries, span, Wanted::Vector)?;
+        return Ok(Vector3::new(x, y, z));
+    }
+    let values = values(&entries)?;
+    if let Some(sum) = sum_of_members(&entries, &values)? {
+        if sum.scalar != 0.0 {
+            return Err(Fault::scalar_in_vector(span));
+        }
+        return Ok(sum.units.unwrap_or_default().into());
+    }
+    numbers(&entries, &values, span, Wanted::Vector).map(|xyz: [f64; 3]| xyz.into())
+}
+
+/// The members without the name of the whole, as in `q = 0.92 + 0.38k`, and that name.
+///
+/// In the field of a vector `x = [1, 0, 0]` and `x = 1 0 0` name the whole as well. A name that
+/// announces something else, such as `rpy`, is a problem.
+fn without_label<'e, 't>(
+    entries: &'e [Entry<'t>],
+    wanted: Wanted,
+) -> Result<(Cow<'e, [Entry<'t>]>, Option<Key<'t>>), Fault> {
+    let label = match entries {
+        [first, rest @ ..] if rest.iter().all(|entry| entry.key.is_none()) => {
+            first.key.filter(|key| {
+                let holds_all =
+                    matches!(first.node.kind, NodeKind::List(_) | NodeKind::Call { .. })
+                        || rest.len() + 1 == Wanted::Vector.count();
+                component(key.name).is_none() || (wanted == Wanted::Vector && holds_all)
+            })
+        }
+        _ => None,
+    };
+    let mut entries = Cow::Borrowed(entries);
+    if let Some(label) = label {
+        if constructors::is_other_label(label.name) {
+            return Err(Fault::not_applied(label.span, label.name, wanted));
+        }
+        entries.to_mut()[0].key = None;
+    }
+    Ok((entries, label))
+}
+
+/// As many plain numbers as are wanted.
+fn numbers<const COUNT: usize>(
+    entries: &[Entry<'_>],
+    values: &[(Linear, Span)],
+    span: Span,
+    wanted: Wanted,
+) -> Result<[f64; COUNT], Fault> {
+    check_separators(entries, span)?;
+    let numbers: Vec<_> = values.iter().map(|(value, _)| value.scalar).collect();
+    numbers
+        .try_into()
+        .map_err(|found: Vec<f64>| Fault::wrong_count(span, wanted, found.len()))
+}
+
+/// The sum of members such as `0.92` and `+0.38k`, which a list reads apart; `None` where there is
+/// no unit.
+fn sum_of_members(
+    entries: &[Entry<'_>],
+    values: &[(Linear, Span)],
+) -> Result<Option<Linear>, Fault> {
+    if values.iter().all(|(value, _)| value.units.is_none()) {
+        return Ok(None);
+    }
+    let mut sum = Linear::real(0.0);
+    for (entry, &(value, span)) in entries.iter().zip(values) {
+        if matches!(entry.lead, Lead::Bare | Lead::AfterComma) {
+            return Err(Fault::missing_sign(span));
+        }
+        sum = sum.plus(value, span)?;
+    }
+    Ok(Some(sum))
+}

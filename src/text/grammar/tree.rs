@@ -1,0 +1,105 @@
+//! What the text of a quaternion or a vector is made of, once its arithmetic is done.
+
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::text::grammar::arithmetic::{Linear, Quantity};
+use crate::text::grammar::signs::DoubtfulSign;
+
+/// A piece of text that was understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Node<'t> {
+    pub(crate) kind: NodeKind<'t>,
+    pub(crate) span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(crate) enum NodeKind<'t> {
+    Value(Linear),
+    List(Vec<Entry<'t>>),
+    Call {
+        name: &'t str,
+        arguments: Vec<Entry<'t>>,
+    },
+    Word(&'t str),
+}
+
+/// A member of a list: a node, perhaps with a name before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Entry<'t> {
+    pub(crate) key: Option<Key<'t>>,
+    pub(crate) node: Node<'t>,
+    pub(crate) lead: Lead,
+    /// What a sign of this member may mean besides, where only white space separates the members.
+    pub(crate) doubtful_sign: Option<DoubtfulSign>,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Key<'t> {
+    /// The label before it, such as `orientation:` above `x: 0`.
+    pub(crate) heading: Option<&'t str>,
+    pub(crate) name: &'t str,
+    pub(crate) span: Span,
+}
+
+/// What stands before a member: nothing, a comma, only white space and then a sign, or only white
+/// space. A sum such as `0.92 +0.38k` is first read as two members.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lead {
+    First,
+    AfterComma,
+    Signed,
+    Bare,
+}
+
+impl Node<'_> {
+    /// The value of arithmetic that goes on: a number, a sum of units, or an angle.
+    pub(crate) fn operand(&self) -> Result<Linear, Fault> {
+        match &self.kind {
+            NodeKind::Value(value) => Ok(*value),
+            _ => self.value(),
+        }
+    }
+
+    /// The number, or sum of units, that this is; a problem where it is something else.
+    pub(crate) fn value(&self) -> Result<Linear, Fault> {
+        match &self.kind {
+            NodeKind::Value(value) if matches!(value.quantity, Quantity::Angle(_)) => {
+                Err(Fault::angle_for_number(self.span))
+            }
+            NodeKind::Value(value) => Ok(*value),
+            NodeKind::Word(word) | NodeKind::Call { name: word, .. } => {
+                Err(Fault::unknown_word(self.span, word))
+            }
+            NodeKind::List(_) => Err(Fault::list_for_number(self.span)),
+        }
+    }
+
+    /// The real number that this is, with its unit if it is an angle; a problem where it is
+    /// something else.
+    pub(crate) fn angle(&self) -> Result<Linear, Fault> {
+        let value = self.operand()?;
+        match value.units {
+            None => Ok(value),
+            Some(_) => Err(Fault::unit_for_number(self.span)),
+        }
+    }
+
+    /// `True` or `false`, not in quotes.
+    pub(crate) fn truth(&self) -> Option<bool> {
+        match self.kind {
+            NodeKind::Word(word) if word.len() < self.span.end - self.span.start => None,
+            NodeKind::Word("True" | "true") => Some(true),
+            NodeKind::Word("False" | "false") => Some(false),
+            _ => None,
+        }
+    }
+
+    /// The real number that this is; a problem where it is something else.
+    pub(crate) fn real(&self) -> Result<f64, Fault> {
+        let value = self.value()?;
+        match value.units {
+            None => Ok(value.scalar),
+            Some(_) => Err(Fault::unit_for_number(self.span)),
+        }
+    }
+}

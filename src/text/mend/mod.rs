@@ -1,0 +1,98 @@
+//! A text that cannot be read, rewritten so that it can be.
+//!
+//! Only where one way to rewrite it is certain, or does no more than its name says: where two are read,
+//! none is offered, and no number that was typed becomes another. Each rewritten text is read before it
+//! is offered, so taking it never leads to another problem.
+
+// The ways in which a text is rewritten.
+pub(crate) mod rewrites;
+
+// The numbers that stand in any text.
+pub(crate) mod typed_numbers;
+
+// The texts that say a unit.
+pub(crate) mod unit;
+
+use crate::decimal::shortest;
+use crate::problem::Problem;
+use crate::problem::suggestion::Suggestion;
+use crate::text::mend::rewrites::{Rewrite, rewrites};
+use crate::text::mend::typed_numbers::keeps_numbers;
+
+/// Longer texts get no suggestion: the candidates are read on every keystroke.
+const LONGEST_TEXT_BYTES: usize = 4096;
+
+/// How many places are mended one after the other.
+const MOST_STEPS: usize = 6;
+
+/// Where there are more texts to try, none leads to another place: their number would multiply.
+const MOST_TEXTS_OF_A_STEP: usize = 2;
+
+/// The problem with a suggestion, where there is one; `read` tells how a text is read.
+pub(crate) fn with_suggestion(
+    problem: Problem,
+    text: &str,
+    read: &dyn Fn(&str) -> Result<(), Problem>,
+) -> Problem {
+    if problem.suggestion.is_some() || text.len() > LONGEST_TEXT_BYTES {
+        return problem;
+    }
+    let suggestion = rewrites(problem.code)
+        .iter()
+        .find_map(|&(remedy, rewrite)| {
+            let rewritten = mended(&problem, text, rewrite, read, MOST_STEPS)?;
+            let suggestion = Suggestion {
+                remedy,
+                text: rewritten,
+            };
+            keeps_numbers(text, &suggestion).then(|| Box::new(suggestion))
+        });
+    Problem {
+        suggestion,
+        ..problem
+    }
+}
+
+/// The only text that is read, mending the same kind of problem place by place; `None` where several
+/// are.
+fn mended(
+    problem: &Problem,
+    text: &str,
+    rewrite: Rewrite,
+    read: &dyn Fn(&str) -> Result<(), Problem>,
+    steps: usize,
+) -> Option<String> {
+    let is_mended_so = |next: &Problem| {
+        let mut same = rewrites(next.code).iter().map(|&(remedy, _)| remedy);
+        rewrites(problem.code)
+            .iter()
+            .any(|&(remedy, _)| same.any(|other| other == remedy))
+    };
+    let candidates = rewrite(problem, text);
+    let goes_on = steps > 1 && candidates.len() <= MOST_TEXTS_OF_A_STEP;
+    let mut found = candidates
+        .into_iter()
+        .filter_map(|candidate| match read(&candidate) {
+            Ok(()) => Some(candidate),
+            Err(next) if goes_on && is_mended_so(&next) => {
+                mended(&next, &candidate, rewrite, read, steps - 1)
+            }
+            Err(_) => None,
+        });
+    let only = found.next()?;
+    found.next().is_none().then_some(only)
+}
+
+/// Three rows, each on a line of its own, as the shortest numbers that read back as the same doubles;
+/// none of those of a report is −0.
+pub(crate) fn rows_text(rows: &[[f64; 3]; 3]) -> String {
+    rows.map(|row| row.map(exact).join(" ")).join("\n")
+}
+
+fn exact(number: f64) -> String {
+    let text = shortest(number);
+    match text.strip_suffix(".0") {
+        Some(whole) => whole.to_owned(),
+        None => text,
+    }
+}

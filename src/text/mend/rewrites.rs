@@ -1,0 +1,349 @@
+//! The ways in which the text of a problem is rewritten, each as a list of texts to try.
+
+use crate::character::is_space_of_numbers;
+use crate::character::{decorates, plain_character};
+use crate::problem::suggestion::Remedy;
+use crate::problem::{Field, Problem, ProblemCode};
+use crate::text::description::list::{Written, only_numbers};
+use crate::text::description::matrix::RowMarks;
+use crate::text::grammar::arithmetic::Linear;
+use nalgebra::Matrix3;
+
+/// The texts to try, of a text and its problem.
+pub(crate) type Rewrite = fn(&Problem, &str) -> Vec<String>;
+
+pub(crate) const fn rewrites(code: ProblemCode) -> &'static [(Remedy, Rewrite)] {
+    match code {
+        ProblemCode::UnclosedBracket | ProblemCode::UnmatchedBracket => {
+            &[(Remedy::MatchBrackets, matched_brackets)]
+        }
+        ProblemCode::UnexpectedCharacter => &[
+            (Remedy::PlainCharacters, plain_characters),
+            (Remedy::RemoveMark, without_mark),
+        ],
+        ProblemCode::Unexpected => &[
+            (Remedy::DecimalPoints, decimal_points),
+            (Remedy::AttachSign, attached_sign),
+            (Remedy::SeparateNumbers, separated_numbers),
+            (Remedy::AddSign, added_sign),
+        ],
+        ProblemCode::UnexpectedEnd => &[(Remedy::RemoveMark, without_last_mark)],
+        ProblemCode::WrongCount => &[
+            (Remedy::DecimalPoints, decimal_points),
+            (Remedy::RotationPart, rotation_part),
+        ],
+        ProblemCode::MissingComponent => &[(Remedy::AddZeros, added_zeros)],
+        ProblemCode::MixedNames => &[(Remedy::NameNumber, named_number)],
+        ProblemCode::MixedUnits => &[(Remedy::SameUnit, same_unit)],
+        ProblemCode::TooSmall => &[(Remedy::WriteZero, zero_at_place)],
+        ProblemCode::ZeroQuaternion => &[(Remedy::WriteIdentity, identity)],
+        // What is meant can only be guessed, or the matrix itself tells it (`analyze/matrix.rs`).
+        _ => &[],
+    }
+}
+
+/// The text with something else at the place of the problem; nothing where the place is none of it.
+fn at_place(problem: &Problem, text: &str, replacement: &str) -> Vec<String> {
+    let place = problem.span.start..problem.span.end;
+    match (text.get(..place.start), text.get(place.end..)) {
+        (Some(before), Some(after)) => vec![[before, replacement, after].concat()],
+        _ => Vec::new(),
+    }
+}
+
+const PAIRS: [(char, char); 4] = [('(', ')'), ('[', ']'), ('{', '}'), ('<', '>')];
+
+/// A bracket around a list may be closed at its end, or taken away. What it encloses of a product or
+/// of the argument of a function, only its writer knows.
+fn matched_brackets(problem: &Problem, text: &str) -> Vec<String> {
+    let (Some(before), Some(from)) = (
+        text.get(..problem.span.start),
+        text.get(problem.span.start..),
+    ) else {
+        return Vec::new();
+    };
+    if problem.code == ProblemCode::UnclosedBracket {
+        let open = from.chars().next();
+        let pair = PAIRS.iter().find(|(opening, _)| Some(*opening) == open);
+        let encloses_list = from.contains(',') || !from.contains(is_factor);
+        return pair
+            .filter(|_| !binds(before) && encloses_list)
+            .map(|(_, closing)| format!("{}{closing}", text.trim_end()))
+            .into_iter()
+            .collect();
+    }
+    let mut open = Vec::new();
+    for character in before.chars() {
+        if let Some(pair) = PAIRS.iter().find(|pair| pair.0 == character) {
+            open.push(pair.1);
+        } else if open.last() == Some(&character) {
+            open.pop();
+        }
+    }
+    if let Some(closing) = open.last() {
+        return at_place(problem, text, &closing.to_string());
+    }
+    let after = text.get(problem.span.end..).unwrap_or_default();
+    let is_list = before.contains(',') || !before.contains(['i', 'j', 'k']);
+    let is_plain =
+        is_list || !(before.trim_start().starts_with(is_sign) || before.contains(['*', '·', '×']));
+    if is_plain && !after.trim_start().starts_with(is_factor) {
+        return at_place(problem, text, "");
+    }
+    Vec::new()
+}
+
+/// Whether a text ends in what takes the next bracket for its operand: a sign, a factor, a function.
+fn binds(before: &str) -> bool {
+    let before = before.trim_end();
+    let rest = before.trim_end_matches(|c: char| c.is_alphanumeric() || "_.:".contains(c));
+    let name = &before[rest.len()..];
+    before.ends_with(is_sign) || before.ends_with(is_factor) || Linear::is_function(name)
+}
+
+fn is_sign(character: char) -> bool {
+    matches!(character, '+' | '-' | '−' | '–')
+}
+
+fn is_factor(character: char) -> bool {
+    matches!(
+        character,
+        '*' | '·' | '×' | '⋅' | '∗' | '/' | '÷' | '∕' | '⁄' | '√'
+    )
+}
+
+/// Spaces that may group the digits of a number are not rewritten where they can be meant so.
+fn plain_characters(_: &Problem, text: &str) -> Vec<String> {
+    if groups_digits(text, is_space_of_numbers).contains(&true) {
+        return Vec::new();
+    }
+    vec![text.chars().map(plain_character).collect()]
+}
+
+/// For each such character between two digits whether it can part thousands: it stands before just
+/// three digits, and behind one to three that do not begin with a zero, unless a point does.
+fn groups_digits(text: &str, is_mark: fn(char) -> bool) -> Vec<bool> {
+    let marks = text.char_indices().filter(|&(_, mark)| is_mark(mark));
+    let between_digits = marks.filter_map(|(at, mark)| {
+        let (before, after) = (&text[..at], &text[at + mark.len_utf8()..]);
+        let rest = before.trim_end_matches(|digit: char| digit.is_ascii_digit());
+        let group = &before[rest.len()..];
+        let follow = after.bytes().take_while(u8::is_ascii_digit).count();
+        let is_group = rest.ends_with('.') || !group.starts_with('0');
+        let parts = is_group && group.len() <= 3 && follow == 3;
+        (!group.is_empty() && follow > 0).then_some(parts)
+    });
+    between_digits.collect()
+}
+
+/// Only a mark that decorates: what may be an operator, a dash or a number that is left out tells
+/// something. Not where it touches a word or a number either: it may change it, as in `0.9$`.
+fn without_mark(problem: &Problem, text: &str) -> Vec<String> {
+    let stands_apart = |neighbour: Option<char>| {
+        neighbour
+            .is_none_or(|character| character.is_whitespace() || ",;()[]{}".contains(character))
+    };
+    let (Some(before), Some(mark), Some(after)) = (
+        text.get(..problem.span.start),
+        text.get(problem.span.start..problem.span.end),
+        text.get(problem.span.end..),
+    ) else {
+        return Vec::new();
+    };
+    let is_alone = stands_apart(before.chars().next_back()) && stands_apart(after.chars().next());
+    if is_alone && mark.chars().all(decorates) {
+        vec![[before, after].concat().trim().to_owned()]
+    } else {
+        Vec::new()
+    }
+}
+
+/// A minus behind the last number may be its own: `0.5-` is −0.5 in some programs.
+fn without_last_mark(_: &Problem, text: &str) -> Vec<String> {
+    let bare = text
+        .trim_end()
+        .trim_end_matches(|c: char| "+-−–*/·×÷√".contains(c) || c.is_whitespace());
+    let removed = &text[bare.len()..];
+    // `q*` is the conjugate.
+    if removed.starts_with(is_sign) || removed.starts_with('*') || removed.contains(['-', '−', '–'])
+    {
+        return Vec::new();
+    }
+    vec![bare.to_owned()]
+}
+
+/// A comma between two digits, without a space, becomes a point; not where it can part thousands.
+fn decimal_points(_: &Problem, text: &str) -> Vec<String> {
+    // One that cannot part thousands tells what all of them are.
+    let groups = groups_digits(text, |character| character == ',');
+    if groups.iter().all(|&is_group| is_group) {
+        return Vec::new();
+    }
+    let is_digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
+    let points = text.char_indices().map(|(at, character)| {
+        let is_inside = character == ',' && at > 0 && is_digit(at - 1) && is_digit(at + 1);
+        if is_inside { '.' } else { character }
+    });
+    vec![points.collect()]
+}
+
+/// A sign before the first number may be the dash of a list, which is no sign.
+fn attached_sign(problem: &Problem, text: &str) -> Vec<String> {
+    let before = text.get(..problem.span.start).map(str::trim_end);
+    let sign = text.get(problem.span.start..problem.span.end);
+    let after = text.get(problem.span.end..);
+    match (before, sign, after) {
+        (Some(before), Some(sign @ ("-" | "−" | "–" | "+")), Some(after))
+            if before.len() < problem.span.start
+                && before.ends_with(|c: char| c.is_alphanumeric() || c == '.') =>
+        {
+            vec![format!("{before} {sign}{}", after.trim_start())]
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// A space before the sign between two numbers.
+fn separated_numbers(problem: &Problem, text: &str) -> Vec<String> {
+    let Some(written) = text.get(problem.span.start..problem.span.end) else {
+        return Vec::new();
+    };
+    let is_between = |(at, sign): &(usize, char)| {
+        is_sign(*sign) && written[..*at].ends_with(|c: char| c.is_ascii_digit() || c == '.')
+    };
+    let separated = written
+        .char_indices()
+        .find(is_between)
+        .map(|(at, _)| format!("{} {}", &written[..at], &written[at..]));
+    separated
+        .map(|separated| at_place(problem, text, &separated))
+        .unwrap_or_default()
+}
+
+/// Only before a term with a unit: a number in brackets may be anything.
+fn added_sign(problem: &Problem, text: &str) -> Vec<String> {
+    let term = text.get(problem.span.start..problem.span.end);
+    if !term.is_some_and(|term| term.contains(['i', 'j', 'k']) && !term.contains('(')) {
+        return Vec::new();
+    }
+    let (before, after) = match (
+        text.get(..problem.span.start),
+        text.get(problem.span.start..),
+    ) {
+        (Some(before), Some(after)) => (before.trim_end().trim_end_matches(',').trim_end(), after),
+        _ => return Vec::new(),
+    };
+    // After the dash of a list it would be a second sign.
+    if before.is_empty() || before.ends_with(is_sign) {
+        return Vec::new();
+    }
+    if after.starts_with(['+', '-', '−']) {
+        return vec![format!("{before} {after}")];
+    }
+    vec![format!("{before} + {after}")]
+}
+
+/// The numbers of a text of twelve or sixteen: the three by three on the left of the first three rows,
+/// as they are written. Of words and computations nothing is taken, and no vector has such a part.
+fn rotation_part(problem: &Problem, text: &str) -> Vec<String> {
+    let Some(numbers) = only_numbers(text).filter(|_| problem.field != Field::Vector) else {
+        return Vec::new();
+    };
+    let last_row: Vec<f64> = numbers.iter().skip(12).map(|number| number.value).collect();
+    let is_homogeneous = match numbers.len() {
+        12 => !are_axes(&numbers[..9]),
+        16 => last_row == [0.0, 0.0, 0.0, 1.0],
+        _ => false,
+    };
+    if !is_homogeneous {
+        return Vec::new();
+    }
+    let rows = [0, 4, 8].map(|at| {
+        let row = numbers[at..at + 3].iter();
+        let row: Vec<_> = row.map(|number| &text[number.start..number.end]).collect();
+        row.join(" ")
+    });
+    // That rows were assumed is still to be said.
+    vec![rows.join(match RowMarks::of(text) {
+        RowMarks::None => " ",
+        _ => "\n",
+    })]
+}
+
+/// Nine numbers that are a rotation already, before a translation of three.
+fn are_axes(numbers: &[Written]) -> bool {
+    let matrix = Matrix3::from_iterator(numbers.iter().map(|number| number.value));
+    (matrix.transpose() * matrix - Matrix3::identity()).amax() < NEARLY_ORTHONORMAL
+}
+
+/// Entries of two decimals are off by less.
+const NEARLY_ORTHONORMAL: f64 = 0.05;
+
+/// Only what is missing can be added: a name that stands there would stand there twice. The scalar is
+/// none of them, since 0 is half a turn.
+fn added_zeros(_: &Problem, text: &str) -> Vec<String> {
+    const MISSING: [&[&str]; 13] = [
+        &["x"],
+        &["y"],
+        &["z"],
+        &["x", "y"],
+        &["x", "z"],
+        &["y", "z"],
+        &["x", "y", "z"],
+        &["roll"],
+        &["pitch"],
+        &["yaw"],
+        &["roll", "pitch"],
+        &["roll", "yaw"],
+        &["pitch", "yaw"],
+    ];
+    let text = text.trim_end();
+    let inside = text.trim_end_matches([')', ']', '}', '>']).trim_end();
+    let brackets = &text[inside.len()..];
+    let (mark, separator) = match (inside.contains('='), inside.contains('\n')) {
+        (true, false) if !inside.contains(',') => ("=", " "),
+        (true, _) => ("=", ", "),
+        (false, true) => (": ", "\n"),
+        (false, false) => (": ", ", "),
+    };
+    let quote = if inside.contains('"') { "\"" } else { "" };
+    MISSING
+        .iter()
+        .map(|names| {
+            let zeros: String = names
+                .iter()
+                .map(|name| format!("{separator}{quote}{name}{quote}{mark}0"))
+                .collect();
+            format!("{inside}{zeros}{brackets}")
+        })
+        .collect()
+}
+
+fn named_number(problem: &Problem, text: &str) -> Vec<String> {
+    let Some(number) = text.get(problem.span.start..problem.span.end) else {
+        return Vec::new();
+    };
+    let mark = if text.contains('=') { "=" } else { ": " };
+    ["w", "x", "y", "z"]
+        .into_iter()
+        .flat_map(|name| at_place(problem, text, &format!("{name}{mark}{number}")))
+        .collect()
+}
+
+fn same_unit(problem: &Problem, text: &str) -> Vec<String> {
+    let Some(angle) = text.get(problem.span.start..problem.span.end) else {
+        return Vec::new();
+    };
+    ["deg", "rad"]
+        .into_iter()
+        .flat_map(|unit| at_place(problem, text, &format!("{angle}{unit}")))
+        .collect()
+}
+
+fn zero_at_place(problem: &Problem, text: &str) -> Vec<String> {
+    at_place(problem, text, "0")
+}
+
+fn identity(_: &Problem, _: &str) -> Vec<String> {
+    vec!["w=1 x=0 y=0 z=0".to_owned()]
+}

@@ -1,0 +1,361 @@
+//! Text to numbers: everything people paste, and nothing about rotations.
+//!
+//! What comes in is text as typed; what goes out is finite numbers by name, what they describe
+//! (a quaternion, an axis with its angle, a rotation vector or another vector along the axis, Euler
+//! angles, a matrix or a vector), and how the text told it.
+//!
+//! # What is accepted
+//!
+//! | form | example |
+//! |---|---|
+//! | numbers, in any brackets or none | `0.92 0 0 0.38`, `[0, 0, 0.38, 0.92]` |
+//! | named components, in any order | `(w=0.92, x=0, y=0, z=0.38)`, `qx: 0 …` |
+//! | a ROS message, YAML, JSON, a dictionary | `x: 0.0⏎y: 0.0⏎z: 0.38⏎w: 0.92`, `{"w": 0.92, …}` |
+//! | a sum of units, in any order | `0.92 + 0.38k`, `k sin(pi/8) + cos(pi/8)` |
+//! | scalar and vector | `0.92 [0, 0, 0.38]`, `[[0, 0, 0.38], 0.92]` |
+//! | a constructor call | `Eigen::Quaterniond(0.92, 0, 0, 0.38)`, `Rotation.from_quat([0, 0, 0.38, 0.92])` |
+//! | axis and angle | `45deg about z`, `45deg [0, 0, 1]`, `axis-angle [0, 0, 1] pi/4`, `axis=z, angle=45°` |
+//! | | `Eigen::AngleAxisd(0.785, Eigen::Vector3d::UnitZ())` |
+//! | rotation vector | `rotvec 0 0 0.785`, `rotvec [0 0 45] deg`, `Rotation.from_rotvec([0, 0, 0.785])` |
+//! | half-angle vector | `halfangle 0 0 0.393`, `half-angle vector 0 0 22.5deg` |
+//! | Gibbs vector, Rodrigues parameters | `gibbs 0 0 0.414`, `Rodrigues parameters: 0 0 0.414` |
+//! | modified Rodrigues parameters | `mrp 0 0 0.199`, `Rotation.from_mrp([0, 0, 0.199])` |
+//! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
+//! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
+//! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
+//! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
+//!
+//! # Degrees or radians
+//!
+//! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
+//! radians, and the call of a library has the library's unit. Otherwise a rotation vector, a half-angle
+//! vector and an attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
+//! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
+//! Inside `sin`, `cos` and `tan` a number without a unit is radians whatever its size; beyond a full turn
+//! [`analyze`](fn@crate::analyze) says so.
+//!
+//! # Named words beside the numbers
+//!
+//! `unit`, `degrees`, `order` and `format` with a value that is known here count for all the numbers.
+//! What programs print besides (`frame_id`, `dtype`, …) is read past. Any other named word, such as
+//! `layout` or `handedness`, may change the numbers and is refused; so is a label such as `rpy_rate`
+//! or `R.T`, and a text with two rotations.
+//!
+//! # Which sequence
+//!
+//! Capitals are axes that move (intrinsic), small letters axes that stay (extrinsic), as in `SciPy`;
+//! the words `intrinsic` and `extrinsic` win over the letters. `rpy` and named roll, pitch and yaw
+//! are turns about the fixed axes x, y, z, as in ROS; `ypr` is `ZYX`. Beside names another sequence
+//! counts only with a word for its frame (`intrinsic xyz: roll=…`); roll is then about x, pitch about
+//! y and yaw about z. In `ZYX: 30, 20, 10` and
+//! `3-2-1 30 20 10` the sequence is no name and no difference, whatever follows.
+//!
+//! # Grammar
+//!
+//! ```text
+//! text     = members
+//! members  = { member [","] }              white space, "," and ";" separate
+//! member   = { name (":" | "=") } sum
+//! sum      = product { ("+" | "-") product }
+//! product  = signed { ("*" | "/") signed | atom | unit }
+//! signed   = [ "+" | "-" ] atom
+//! atom     = number | "i" | "j" | "k" | "pi" | "tau"
+//!          | function "(" sum ")" | "√" atom
+//!          | ("(" | "[" | "{" | "<") members (")" | "]" | "}" | ">")
+//!          | name { name } "(" members ")"
+//! unit     = "deg" | "°" | "rad"
+//! function = "sqrt" | "abs" | "sin" | "cos" | "tan" | "asin" | "acos" | "atan"
+//! ```
+//!
+//! - `1 -2` is two numbers, as in MATLAB, and `1-2` is one. Between numbers that only white space
+//!   separates, a sign with space on both sides is refused, since it may be a minus, a difference or
+//!   the dash of a list; with commas, or in a sum of units, it is read. So is a sign between two typed
+//!   numbers that touch it (`0.5-0.5`, perhaps columns that run together), and one behind its number.
+//!   Two signs in a row are read only in a sum of units (`0.92 + -0.38k`).
+//! - A name or a root that touches what stands before it is a factor: `0.38k`, `2pi`, `2√3`; beside
+//!   a unit a space may stand between: `√2/2 k`, `k sin(pi/8)`. It binds like `*`, from left to
+//!   right: `1/2k` is half of k.
+//! - `−` (U+2212), `–`, `·`, `×`, `÷`, `√`, `π`, `½` mean what they look like. Drawn frames are read
+//!   past where they touch nothing; a character that is not seen, or a narrow space, between two
+//!   digits is refused.
+//! - Commas stand between all the numbers of a list or between none, so that a decimal comma is not
+//!   read as two numbers.
+//! - A call is read only if it is known what it makes of its numbers: `inverse(…)`, `exp(…)` and the
+//!   like are refused, because they are not applied here.
+//! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
+//!   the grammar, which then reads the pieces between them.
+//! - Of several values under headings, as in a ROS pose, the orientation is taken.
+//! - Comments (`#`, `//`, `/* */`, and `%` with a space), the words of a declaration
+//!   (`const Eigen::Quaterniond q(…);`), types of numbers (`Quaternion<double>`), float suffixes
+//!   (`0.5f`), casts (`np.float64(0.5)`) and what consoles print before a list (`Float32Array(4) […]`,
+//!   with the count of its members) are read past. Any other word or number before a list is refused.
+//!
+//! # Which number is the scalar
+//!
+//! Names, units, groups and known constructors tell it; then the text wins over the declared order,
+//! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
+
+// Members to a description of a rotation.
+pub(crate) mod description;
+
+// Tokens, and the tree that they make.
+pub(crate) mod grammar;
+
+// A text that has a problem, rewritten so that it is read.
+pub(crate) mod mend;
+
+// Words and names that are known.
+mod vocabulary;
+
+use crate::convention::ComponentOrder;
+use crate::convention::OrderSource;
+use crate::problem::fault::Fault;
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem, Span, Wanted, is_too_long};
+pub use crate::text::description::ParsedRotation;
+use crate::text::description::announced;
+use crate::text::description::call;
+use crate::text::description::list;
+pub(crate) use crate::text::description::list::only_numbers;
+use crate::text::description::matrix;
+pub(crate) use crate::text::description::matrix::RowMarks;
+use crate::text::description::matrix_columns;
+use crate::text::description::members::component;
+use crate::text::description::parts;
+use crate::text::description::quaternion;
+pub use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::description::settings::{Settings, without_settings};
+use crate::text::description::wording::{Spoken, spoken};
+use crate::text::grammar::lex::Token;
+use crate::text::grammar::tree::{Entry, NodeKind};
+use crate::text::vocabulary::console;
+use crate::text::vocabulary::declaration;
+use crate::text::vocabulary::phrases::Form;
+use nalgebra::Vector3;
+
+/// The rotation that a text holds, in whichever description it is written.
+///
+/// `declared` is used for the numbers of a quaternion where the text itself does not tell their
+/// order; it changes no other description.
+///
+/// # Errors
+///
+/// The first problem of the text; its span counts bytes. A zero axis is one; a zero quaternion and
+/// a matrix that is no rotation are none here.
+///
+/// ```
+/// use quatlas::{AngleUnit, ComponentOrder, EulerSequence, Field, ParsedRotation, UnitSource};
+/// use quatlas::parse_rotation;
+///
+/// // Three different angles: yaw first, about the moving axes z, y, x.
+/// let text = "ZYX 30deg 20deg 10deg";
+/// let parsed = parse_rotation(text, Field::Quaternion, ComponentOrder::ScalarFirst)?;
+/// let ParsedRotation::EulerAngles(euler) = parsed else { panic!("{parsed:?}") };
+/// assert_eq!(euler.sequence, EulerSequence::AEROSPACE);
+/// assert_eq!(euler.angles_rad[0], std::f64::consts::FRAC_PI_6);
+/// assert_eq!(euler.unit, UnitSource::Written(AngleUnit::Degrees));
+///
+/// // Rows as written: a quarter turn about z.
+/// let parsed = parse_rotation("[0 -1 0; 1 0 0; 0 0 1]", Field::P, ComponentOrder::ScalarLast)?;
+/// let ParsedRotation::Matrix(matrix) = parsed else { panic!("{parsed:?}") };
+/// assert_eq!((matrix[(0, 1)], matrix[(1, 0)]), (-1.0, 1.0));
+/// # Ok::<(), quatlas::Problem>(())
+/// ```
+pub fn parse_rotation(
+    text: &str,
+    field: Field,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
+    read(text, Wanted::Quaternion)
+        .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
+        .map_err(|fault| fault.in_field(field))
+}
+
+/// The quaternion that a text holds.
+///
+/// `declared` is used where the text itself does not tell its order.
+///
+/// # Errors
+///
+/// The first problem of the text; its span counts bytes. Another description of a rotation is one;
+/// a zero quaternion is none here.
+///
+/// ```
+/// use quatlas::{ComponentOrder, Field, OrderSource, parse_quaternion};
+///
+/// // The constructor's order wins: the scalar is the first number.
+/// let text = "Eigen::Quaterniond(1/2, -1/2, 1/√2, 0)";
+/// let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarLast)?;
+/// assert_eq!((parsed.quaternion.w, parsed.quaternion.i), (0.5, -0.5));
+/// assert_eq!(parsed.order_source, OrderSource::Constructor);
+///
+/// let refused = |text| {
+///     let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst);
+///     parsed.unwrap_err().to_string()
+/// };
+/// assert_eq!(refused("1 0 0"), "3 numbers in place of 4");
+/// assert_eq!(
+///     refused("rotvec 0 0 1"),
+///     "this is a rotation vector, and a quaternion is wanted here"
+/// );
+/// # Ok::<(), quatlas::Problem>(())
+/// ```
+pub fn parse_quaternion(
+    text: &str,
+    field: Field,
+    declared: ComponentOrder,
+) -> Result<ParsedQuaternion, Problem> {
+    match parse_rotation(text, field, declared)? {
+        ParsedRotation::Quaternion(quaternion) => Ok(quaternion),
+        other => {
+            let fault = Fault::not_a_quaternion(Span::of_trimmed(text), other.in_words());
+            Err(fault.in_field(field))
+        }
+    }
+}
+
+/// The vector that a text holds: three numbers, named components, or a sum of i, j and k.
+///
+/// # Errors
+///
+/// The first problem of the text; its span counts bytes.
+///
+/// ```
+/// use quatlas::{Field, parse_vector};
+/// assert_eq!(parse_vector("2k - i", Field::Vector)?.as_slice(), [-1.0, 0.0, 2.0]);
+/// # Ok::<(), quatlas::Problem>(())
+/// ```
+pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
+    check_length(text).map_err(|fault| fault.in_field(field))?;
+    read(text, Wanted::Vector)
+        .and_then(|(tokens, span)| quaternion::vector(&grammar::entries(&tokens)?, span))
+        .map_err(|fault| fault.in_field(field))
+}
+
+/// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
+fn check_length(text: &str) -> Result<(), Fault> {
+    if is_too_long(text) {
+        let span = Span::of_trimmed(text);
+        return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
+    }
+    Ok(())
+}
+
+fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
+    let span = Span::of_trimmed(text);
+    let tokens = console::without_list_names(&declaration::tokens(text)?);
+    if tokens.is_empty() {
+        return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
+    }
+    Ok((tokens, span))
+}
+
+fn rotation(
+    tokens: &[Token<'_>],
+    text: &str,
+    span: Span,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Fault> {
+    let (tokens, settings) = without_settings(tokens)?;
+    let rotation = match described(&tokens, text, span, &settings)? {
+        Described::Rotation(rotation) => rotation,
+        Described::Quaternion(entries) => {
+            let told = settings.order.map(|(order, _)| order);
+            settings.check_no_unit()?;
+            let quaternion = quaternion::quaternion(&entries, span, declared, told)?;
+            // Names have no order that another could contradict.
+            if quaternion.order_source != OrderSource::Named {
+                settings.check_order(Some(quaternion.order))?;
+            }
+            return Ok(ParsedRotation::Quaternion(quaternion));
+        }
+        Described::InItself(rotation) => {
+            settings.check_no_unit()?;
+            rotation
+        }
+    };
+    settings.check_order(None)?;
+    Ok(rotation)
+}
+
+/// What a text is before the order of its numbers matters.
+enum Described<'t> {
+    /// Angles, with what is said of their unit already used.
+    Rotation(ParsedRotation),
+    /// What needs no word for its unit: a call, or a matrix.
+    InItself(ParsedRotation),
+    Quaternion(Vec<Entry<'t>>),
+}
+
+fn described<'t>(
+    tokens: &[Token<'t>],
+    text: &'t str,
+    span: Span,
+    settings: &Settings<'t>,
+) -> Result<Described<'t>, Fault> {
+    let unit = settings.unit.map(|(unit, _)| unit);
+    let numbers = match spoken(tokens, text) {
+        Spoken::About {
+            before,
+            word,
+            after,
+        } => return announced::about(before, word, after, unit).map(Described::Rotation),
+        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
+        Spoken::Several(second) => return Err(Fault::several_values(second)),
+        Spoken::Parts(labels, parts) => {
+            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
+            return parts::rotation(&parts, &announcement, span).map(Described::Rotation);
+        }
+        Spoken::Vectors(vectors) => {
+            let matrix = matrix_columns::matrix(&vectors, span)?;
+            return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
+        }
+        Spoken::Announced(announcement, rest) => match announcement.form {
+            Some(Form::Quaternion) | None => rest,
+            Some(form) => {
+                let announcement = announcement
+                    .with_unit(unit)?
+                    .with_sequence(settings.sequence)?;
+                return announced::announced(&announcement, form, rest, text)
+                    .map(Described::Rotation);
+            }
+        },
+        Spoken::Nothing => tokens,
+    };
+    let entries = grammar::entries(numbers)?;
+    let is_announced = numbers.len() < tokens.len();
+    if !is_announced {
+        if let Some(rotation) = announced::angle_beside_axis(&entries)? {
+            return Ok(Described::InItself(rotation));
+        }
+        if let Some(first) = list::sequence_among_numbers(&entries) {
+            return Err(Fault::sequence_or_number(first));
+        }
+    }
+    if let Some(rotation) = call::rotation(&entries)? {
+        return Ok(Described::InItself(rotation));
+    }
+    if let Some(matrix) = matrix::unannounced(&without_names(&entries)?, span)? {
+        return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
+    }
+    if let [first, _, ..] = &entries[..]
+        && first.key.is_none()
+        && let NodeKind::Word(word) = first.node.kind
+    {
+        return Err(Fault::unknown_keyword(first.node.span, word));
+    }
+    Ok(Described::Quaternion(entries))
+}
+
+/// The members without the names of the whole, as in `R = [[…], […], […]]`, and without the braces
+/// around such names: `{"pose": {"R": [[…], […], […]]}}`.
+fn without_names<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
+    let mut entries = list::members(entries)?;
+    while let Some(first) = entries.first_mut()
+        && first.key.is_some_and(|key| component(key.name).is_none())
+    {
+        first.key = None;
+        entries = list::members(&entries)?;
+    }
+    Ok(entries)
+}

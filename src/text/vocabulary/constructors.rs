@@ -1,0 +1,190 @@
+//! Which order the constructors of known libraries take their numbers in.
+
+use crate::convention::ComponentOrder::{self, ScalarFirst, ScalarLast};
+use crate::text::grammar::lex::last_segment;
+
+/// A constructor's last path segments, joined by points, and the order of its arguments.
+///
+/// Each was measured by running the library or read in its source; names that mean different
+/// orders in different libraries, such as a bare `Quaternion`, are left out on purpose.
+const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
+    // C++: Eigen, GLM, ROS tf and tf2, Bullet, KDL, GTSAM, Drake, PX4
+    ("Eigen.Quaterniond", ScalarFirst),
+    ("Eigen.Quaternionf", ScalarFirst),
+    ("Eigen.Quaternion", ScalarFirst),
+    ("glm.quat", ScalarFirst),
+    ("glm.dquat", ScalarFirst),
+    ("glm.fquat", ScalarFirst),
+    ("tf.Quaternion", ScalarLast),
+    ("tf2.Quaternion", ScalarLast),
+    ("btQuaternion", ScalarLast),
+    ("KDL.Rotation.Quaternion", ScalarLast),
+    ("PyKDL.Rotation.Quaternion", ScalarLast),
+    ("Rot3.Quaternion", ScalarFirst),
+    ("matrix.Quatf", ScalarFirst),
+    ("Gf.Quatd", ScalarFirst),
+    ("Gf.Quatf", ScalarFirst),
+    ("GfQuatd", ScalarFirst),
+    ("GfQuatf", ScalarFirst),
+    // Python: SciPy, numpy-quaternion, Blender, pyquaternion, spatialmath, JAX and MuJoCo helpers
+    ("from_quat", ScalarLast),
+    ("np.quaternion", ScalarFirst),
+    ("quaternion.quaternion", ScalarFirst),
+    ("mathutils.Quaternion", ScalarFirst),
+    ("pyquaternion.Quaternion", ScalarFirst),
+    ("UnitQuaternion", ScalarFirst),
+    // JavaScript: three.js, Babylon.js, CesiumJS, gl-matrix
+    ("THREE.Quaternion", ScalarLast),
+    ("BABYLON.Quaternion", ScalarLast),
+    ("Cesium.Quaternion", ScalarLast),
+    ("quat.fromValues", ScalarLast),
+    // Rust: nalgebra and cgmath take the scalar first; glam says its order in the name
+    ("nalgebra.Quaternion.new", ScalarFirst),
+    ("na.Quaternion.new", ScalarFirst),
+    ("cgmath.Quaternion.new", ScalarFirst),
+    ("Quaternion.new", ScalarFirst),
+];
+
+/// What a call does with its numbers, as far as its name tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Call {
+    /// It makes a quaternion of numbers in this order.
+    Ordered(ComponentOrder),
+    /// It makes a quaternion, and the order of its numbers is not known.
+    Unordered,
+    /// It only holds numbers, such as `np.array`.
+    Container,
+    /// It makes a vector of its numbers.
+    Vector,
+    /// It does something else to its numbers, such as `inverse` or `fromEuler`.
+    Other,
+}
+
+/// Words that say that a call computes, or that its numbers are not components.
+const OPERATIONS: [&str; 24] = [
+    "2quat", "about", "align", "angle", "as_", "axang", "axis", "between", "conj", "cross", "diff",
+    "dot", "euler", "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy",
+    "to_",
+];
+
+pub(crate) fn call(name: &str) -> Call {
+    let last = last_segment(name);
+    let lower = last.to_ascii_lowercase();
+    let computes = OPERATIONS.iter().any(|word| lower.contains(word))
+        || ["to", "as"].iter().any(|word| {
+            last.strip_prefix(word)
+                .is_some_and(|rest| rest.starts_with(char::is_uppercase))
+        });
+    if computes || names_both_orders(last) {
+        return Call::Other;
+    }
+    // `Quaternion<xyzw>` tells its order, `Quaternion<left>` something that is not known here.
+    if last.contains('<') {
+        return order_in_name(last).map_or(Call::Other, Call::Ordered);
+    }
+    if let Some(order) = order_in_name(last) {
+        return Call::Ordered(order);
+    }
+    let known = CONSTRUCTORS
+        .iter()
+        .find(|(known, _)| ends_with_path(name, known));
+    if let Some(&(_, order)) = known {
+        return Call::Ordered(order);
+    }
+    match lower.as_str() {
+        "array" | "asarray" | "tensor" | "list" | "tuple" | "vec" => Call::Container,
+        "new" if name.to_ascii_lowercase().contains("vec") => Call::Vector,
+        "so3" | "so3d" | "so3f" | "rot3" | "rotation" | "new" | "new_normalize"
+        | "new_unchecked" => Call::Unordered,
+        "float3" | "double3" | "point3" => Call::Vector,
+        _ if lower.contains("quat") => Call::Unordered,
+        _ if lower.contains("vec") || lower.contains("point") => Call::Vector,
+        _ => Call::Other,
+    }
+}
+
+/// Whether the last segments of a path are these, which are joined by points.
+pub(crate) fn ends_with_path(path: &str, segments: &str) -> bool {
+    let path = path.replace("::", ".");
+    path.strip_suffix(segments)
+        .is_some_and(|before| before.is_empty() || before.ends_with('.'))
+}
+
+/// The order that a name spells out, such as `from_xyzw` or `q_wxyz`.
+pub(crate) fn order_in_name(name: &str) -> Option<ComponentOrder> {
+    let lower = name.to_ascii_lowercase();
+    if lower.contains("xyzw") {
+        Some(ScalarLast)
+    } else if lower.contains("wxyz") {
+        Some(ScalarFirst)
+    } else {
+        None
+    }
+}
+
+/// `wxyz_to_xyzw`: which of the two the numbers have is not known.
+fn names_both_orders(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    lower.contains("xyzw") && lower.replacen("xyzw", " ", 1).contains("wxyz")
+}
+
+/// `Matrix3d`, `glm::mat3`, `pyrr.Matrix33`: which of its numbers are a row is not known.
+pub(crate) fn is_matrix(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
+}
+
+/// Words of a label that say that it is no attitude itself, or is that of the opposite turn.
+const DERIVED: [&str; 23] = [
+    "acceleration",
+    "bias",
+    "conj",
+    "conjugate",
+    "cov",
+    "covariance",
+    "dot",
+    "inv",
+    "inverse",
+    "inverted",
+    "noise",
+    "rate",
+    "rates",
+    "sigma",
+    "speed",
+    "std",
+    "stddev",
+    "transpose",
+    "transposed",
+    "var",
+    "variance",
+    "vel",
+    "velocity",
+];
+
+/// Whether a label names what was made of a rotation: `rpy_rate`, `inverse_matrix`, `R.T`.
+pub(crate) fn is_derived_label(name: &str) -> bool {
+    let lower = name.to_ascii_lowercase();
+    let mut words = lower.split(['_', '.', '-', ' ', ':']);
+    name.ends_with(".T") || words.any(|word| DERIVED.contains(&word))
+}
+
+/// Whether a label announces something else than a quaternion or a vector.
+pub(crate) fn is_other_label(name: &str) -> bool {
+    if names_both_orders(name) {
+        return true;
+    }
+    let lower = name.to_ascii_lowercase();
+    const WORDS: [&str; 10] = [
+        "angle",
+        "axis",
+        "euler",
+        "gibbs",
+        "matrix",
+        "mrp",
+        "rodrigues",
+        "rotvec",
+        "rpy",
+        "ypr",
+    ];
+    WORDS.iter().any(|word| lower.contains(word))
+}

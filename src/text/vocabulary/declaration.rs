@@ -1,0 +1,102 @@
+//! Words of a declaration, which say nothing about its numbers.
+
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::text::grammar::lex::{self, Bracket, Token, TokenKind};
+
+const WORDS: [&str; 8] = [
+    "auto",
+    "const",
+    "constexpr",
+    "final",
+    "let",
+    "mut",
+    "static",
+    "var",
+];
+
+/// How many tokens after its first words a declaration is looked for its equals sign.
+const LONGEST_DECLARATION: usize = 64;
+
+/// The tokens of a text without the words of a declaration.
+pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
+    tokens_within(text, Span::from(0..text.len()))
+}
+
+/// The same of a part of a text, with their places in the whole.
+pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
+    lex::tokens_within(whole, part).map(|tokens| without_words(&tokens))
+}
+
+/// The tokens without `const auto` in `const auto q = …` and without `new` in `new Quaternion(…)`.
+///
+/// Only where something is declared or made: in `rpy var: …` and `static ZYX …` the same words say
+/// something of the numbers.
+fn without_words<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
+    let mut bare: Vec<Token<'t>> = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    while at < tokens.len() {
+        let rest = &tokens[at..];
+        let count = match rest {
+            [new, made, ..] if is_word(new) && new.text == "new" && is_word(made) => 1,
+            _ => words_of_declaration(rest, bare.last()),
+        };
+        if count == 0 {
+            // Of words that declare nothing all stay.
+            let stay = rest.iter().take_while(|token| is_spare(token)).count();
+            bare.extend(&rest[..stay.max(1)]);
+            at += stay.max(1);
+        } else {
+            at += count;
+        }
+    }
+    bare
+}
+
+fn is_word(token: &Token<'_>) -> bool {
+    token.kind == TokenKind::Word
+}
+
+fn is_spare(token: &Token<'_>) -> bool {
+    is_word(token) && WORDS.contains(&token.text)
+}
+
+/// How many tokens at the start are the first words of a declaration.
+fn words_of_declaration(tokens: &[Token<'_>], before: Option<&Token<'_>>) -> usize {
+    let starts =
+        before.is_none_or(|before| matches!(before.kind, TokenKind::Comma | TokenKind::Open(_)));
+    let count = tokens.iter().take_while(|token| is_spare(token)).count();
+    let rest = &tokens[count..];
+    if starts && (assigns(rest) || constructs(rest)) {
+        count
+    } else {
+        0
+    }
+}
+
+/// `Eigen::Quaterniond q(…)`
+fn constructs(tokens: &[Token<'_>]) -> bool {
+    let brackets = [Bracket::Round, Bracket::Curly].map(TokenKind::Open);
+    matches!(tokens, [made, name, open, ..]
+        if is_word(made) && is_word(name) && brackets.contains(&open.kind))
+}
+
+/// `q = …`, `double q[4] = …`, `q: Quat<f64> = …`: an equals sign before any number outside brackets.
+fn assigns(tokens: &[Token<'_>]) -> bool {
+    let is_name = |token: &Token<'_>| is_word(token) || matches!(token.kind, TokenKind::Open(_));
+    if !tokens.first().is_some_and(is_name) {
+        return false;
+    }
+    let mut depth = 0_usize;
+    for token in tokens.iter().take(LONGEST_DECLARATION) {
+        match token.kind {
+            TokenKind::Open(_) => depth += 1,
+            TokenKind::Close(_) => depth = depth.saturating_sub(1),
+            _ if depth > 0 => {}
+            TokenKind::Equals => return true,
+            TokenKind::Word | TokenKind::Colon | TokenKind::Times => {}
+            _ => return false,
+        }
+    }
+    false
+}

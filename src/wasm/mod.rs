@@ -1,0 +1,258 @@
+//! The edge: only this file and those whose names begin with `wasm_` know JavaScript exists.
+//!
+//! It moves plain data across and counts spans the way a text field does. What
+//! is typed never throws; a caller who breaks the types gets a `TypeError`.
+
+// The requests that need the table of libraries, from JavaScript.
+#[cfg(feature = "libraries")]
+mod library_request;
+
+// The members of objects of JavaScript.
+mod members;
+
+// The requests that the page begins with, from JavaScript.
+mod request;
+
+// The texts of requests, and how long they are.
+mod text;
+
+use crate::analyze::compose::compose;
+use crate::analyze::read::read;
+use crate::contract::Problems;
+use crate::convention::Convention;
+use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
+use crate::wasm::members::{Members, Typed, no_such_choice, refused, word};
+use crate::wasm::request::{compose_request, read_request};
+use crate::wasm::text::{Texts, member_of};
+use js_sys::{Object, Reflect, TypeError};
+use serde::Serialize;
+use std::cell::RefCell;
+use wasm_bindgen::prelude::*;
+#[cfg(feature = "libraries")]
+use {
+    crate::analyze::identify::identify,
+    crate::analyze::identify::reading::LONGEST_TEXT_BYTES,
+    crate::analyze::translate::translate,
+    crate::contract::request::{IdentifyRequest, TranslateRequest},
+    crate::contract::{IdentifyReport, ObservationReport},
+    crate::library::TABLE,
+    crate::library::endpoint::Endpoint,
+    crate::wasm::library_request::{IDENTIFY, TRANSLATE, identify_request, translate_request},
+    crate::wasm::request::{COMPOSE, READ},
+};
+
+/// The tags of a request and of an outcome.
+const VIEW: &str = "view";
+const STATUS: &str = "status";
+
+#[cfg(feature = "libraries")]
+const VIEWS: [&str; 4] = ["read", "compose", "translate", "identify"];
+#[cfg(not(feature = "libraries"))]
+const VIEWS: [&str; 2] = ["read", "compose"];
+
+/// The named conventions.
+#[derive(Serialize, tsify::Tsify)]
+#[serde(rename_all = "camelCase")]
+struct Presets {
+    /// `[w, x, y, z]`, ij = k, body to world.
+    hamilton: Convention,
+    /// `[x, y, z, w]`, ij = −k, world to body.
+    jpl: Convention,
+    /// `[w, x, y, z]`, ij = k, active, world to body; its matrix is passive, world to body.
+    my_lab: Convention,
+    /// `[x, y, z, w]`, ij = −k, body to world (Yoosefian 2021, eq. 18).
+    jpl_body_to_world: Convention,
+    /// `[x, y, z, w]`, ij = k, body to world, as Eigen and ROS store it.
+    hamilton_scalar_last: Convention,
+}
+
+/// The answer to a request: a report with notes, or the problems of its texts.
+///
+/// Spans count UTF-16 units, as `HTMLTextAreaElement.setSelectionRange` does. A request that is not of
+/// the type is refused, with a `TypeError` or with what its own members threw; what is typed in its texts
+/// never is. A view that is asked for here need not stand in the request, which must not name another.
+///
+/// It throws nothing: whatever comes out of it as an error is a trap, after which [`start_anew`] is
+/// needed. So the arguments are plain handles, which are taken before the instance is looked at.
+#[wasm_bindgen(unchecked_return_type = "Outcome | { status: \"refused\"; error: unknown }")]
+pub fn analyze(
+    #[wasm_bindgen(unchecked_param_type = "unknown")] request: JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "Request[\"view\"]")] view: JsValue,
+) -> JsValue {
+    answer_of(&request, &view).unwrap_or_else(|error| {
+        let refusal = JsValue::from(Object::new());
+        for (name, value) in [(STATUS, &"refused".into()), ("error", &error)] {
+            // Nothing keeps a new object from having members.
+            Reflect::set(&refusal, &name.into(), value).ok();
+        }
+        refusal
+    })
+}
+
+/// By its tag here, and not by serde through the types of a request and an outcome, which would copy
+/// everything first, and would hold every view where a build answers two.
+fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
+    let texts = Texts::default();
+    let members = Members::of_request(request, &texts)?;
+    let view = view_of(&members, view)?;
+    match &*view {
+        "read" => {
+            let request = read_request(&members)?;
+            answer(&view, read(&request), &texts, |field| match field {
+                Field::Vector => &request.vector,
+                _ => &request.quaternion,
+            })
+        }
+        "compose" => {
+            let request = compose_request(&members)?;
+            answer(&view, compose(&request), &texts, |field| match field {
+                Field::P => &request.p,
+                Field::Q => &request.q,
+                _ => &request.vector,
+            })
+        }
+        #[cfg(feature = "libraries")]
+        "translate" => {
+            let request: TranslateRequest = translate_request(&members)?;
+            answer(&view, translate(&request), &texts, |field| match field {
+                Field::WorldAxes => &request.world_axes,
+                Field::BodyAxes => &request.body_axes,
+                Field::From => id_of(&request.from),
+                Field::To => id_of(&request.to),
+                _ => &request.quaternion,
+            })
+        }
+        #[cfg(feature = "libraries")]
+        "identify" => {
+            let request: IdentifyRequest = identify_request(&members)?;
+            let report = identify(&request).in_utf16(|field, at| {
+                let probe = request.observations.get(at);
+                probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
+            });
+            with_status(&view, &of_whole_texts(report, &texts))
+        }
+        _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
+    }
+}
+
+/// The view that is asked, which the request need not name where the caller does.
+fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
+    let named = members.value(VIEW)?;
+    let asked = asked.as_string();
+    if let (Some(asked), true) = (&asked, named.is_undefined()) {
+        return Ok(asked.clone());
+    }
+    #[cfg(feature = "libraries")]
+    if named.is_undefined() {
+        // A misspelt `view` is told before it is missed.
+        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY].concat())?;
+    }
+    let named = word(&named, VIEW)?;
+    match asked {
+        Some(asked) if asked != named => Err(refused(&format!(
+            "its `view` is `{named}`, and {asked} was asked"
+        ))),
+        _ => Ok(named),
+    }
+}
+
+/// A report, or problems that count the units of the texts they point into.
+fn answer<'request>(
+    view: &str,
+    answered: Result<impl Serialize, Vec<Problem>>,
+    texts: &Texts,
+    text_of: impl Fn(Field) -> &'request str,
+) -> Typed<JsValue> {
+    match answered {
+        Ok(report) => with_status(view, &report),
+        Err(problems) => {
+            let Problems { problems } =
+                Problems { problems }.in_utf16(|field| text_of(field).to_owned());
+            let problems = problems
+                .into_iter()
+                .map(|problem| {
+                    let member = member_of(problem.field);
+                    texts.of_whole_text(problem, member, MAX_TEXT_BYTES)
+                })
+                .collect();
+            with_status("problems", &Problems { problems })
+        }
+    }
+}
+
+#[cfg(feature = "libraries")]
+fn id_of(endpoint: &Endpoint) -> &str {
+    match endpoint {
+        Endpoint::Library(endpoint) => &endpoint.id,
+        Endpoint::Convention(_) => "",
+    }
+}
+
+#[cfg(feature = "libraries")]
+fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
+    for (at, observation) in report.observations.iter_mut().enumerate() {
+        if let ObservationReport::Problem(found) = observation {
+            let path = format!("observations[{at}].{}", member_of(found.problem.field));
+            found.problem = texts.of_whole_text(found.problem.clone(), &path, LONGEST_TEXT_BYTES);
+        }
+    }
+    report
+}
+
+/// An [`Outcome`](crate::Outcome) as serde would tag it.
+fn with_status(status: &str, report: &impl Serialize) -> Typed<JsValue> {
+    let outcome = to_js(report)?;
+    Reflect::set(&outcome, &STATUS.into(), &status.into())?;
+    Ok(outcome)
+}
+
+/// The named conventions.
+#[wasm_bindgen(unchecked_return_type = "Presets")]
+pub fn presets() -> Result<JsValue, TypeError> {
+    to_js(&Presets {
+        hamilton: Convention::HAMILTON,
+        jpl: Convention::JPL,
+        my_lab: Convention::MY_LAB,
+        jpl_body_to_world: Convention::JPL_BODY_TO_WORLD,
+        hamilton_scalar_last: Convention::HAMILTON_SCALAR_LAST,
+    })
+}
+
+/// The table of libraries, as JSON: an array of `Library`.
+#[cfg(feature = "libraries")]
+#[wasm_bindgen(js_name = librariesJson)]
+pub fn libraries_json() -> String {
+    TABLE.to_owned()
+}
+
+/// Makes the instance anew before the next call; nothing of the old one stays.
+///
+/// After a trap the old one is not to be trusted: its stack stays where it stopped, and a few of these
+/// use it up.
+#[wasm_bindgen(js_name = startAnew)]
+pub fn start_anew() {
+    wasm_bindgen::handler::schedule_reinit();
+}
+
+/// What the last panic said, once; undefined where there was none.
+///
+/// A panic is a mistake in quatlas. It traps, which JavaScript sees as an error without words.
+#[wasm_bindgen(js_name = takePanicMessage)]
+pub fn take_panic_message() -> Option<String> {
+    PANIC_MESSAGE.take()
+}
+
+thread_local! {
+    static PANIC_MESSAGE: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+#[wasm_bindgen(start)]
+fn start() {
+    std::panic::set_hook(Box::new(|panic| {
+        PANIC_MESSAGE.set(Some(panic.to_string()));
+    }));
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
+    serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
+}

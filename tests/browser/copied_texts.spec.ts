@@ -1,5 +1,5 @@
 // What is copied as code: every text as it stands in tests/vectors/copied.json, and run where this
-// machine can: three.js here, nalgebra by tests/copied.rs, Python by hand (check_copied.py).
+// machine can: three.js here, nalgebra by tests/rotation/copied.rs, Python by hand (check_copied.py).
 import { readFileSync, writeFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 // @ts-expect-error three.js has no types of its own.
@@ -101,7 +101,7 @@ function cases(): Case[] {
   );
 }
 
-/** The texts for nalgebra as functions, which tests/copied.rs compiles and calls. */
+/** The texts for nalgebra as functions, which tests/rotation/copied.rs compiles and calls. */
 function rustOf(all: Case[]): string {
   const turns = all.filter(({ format, rotation }) => format === "nalgebra" && rotation);
   const blocks = turns.map(({ value, text, rotation }) => {

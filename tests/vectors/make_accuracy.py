@@ -693,7 +693,7 @@ def slerp_beyond_inputs():
     near = lambda a, angle: doubles(hamilton(numbers(a), turn(angle)))
     beyond = lambda reach: rng.choice((-1, 1)) * rng.uniform(0, 1) * reach + 0.5
     half = math.sqrt(0.5)
-    # Not to t = 2, whose zeros would be noise of the working digits: that is in tests/gates.rs.
+    # Not to t = 2, whose zeros would be noise of the working digits: that is in tests/rotation/gates.rs.
     yield "quarter turn", [[1, 0, 0, 0, half, 0, 0, half, t] for t in (-1, 1.5, 3, -2.5, 1e6 + 1)]
     yield "wide", [unit_double() + unit_double() + [beyond(4)] for _ in range(40)]
     yield "far", [unit_double() + unit_double() + [beyond(10**n)] for n in (1, 2, 3, 6, 9, 12) for _ in range(3)]

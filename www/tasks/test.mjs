@@ -12,7 +12,7 @@ const steps = {
   format: async () => {
     await setUpRustChecks();
     run("cargo", "fmt", "--check");
-    run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests", "benches");
+    run("biome", "ci", "--error-on-warnings", "--config-path=.ci", "www", "tests", "bench");
   },
   rust: async () => {
     await setUpRustChecks();

@@ -1,0 +1,20 @@
+//! Libraries: the table of what they do, which of them one is, and from one to another.
+
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "../support/property.rs"]
+mod property;
+#[path = "../support/mod.rs"]
+mod support;
+#[cfg(not(target_arch = "wasm32"))]
+#[path = "../support/turned.rs"]
+mod turned;
+
+mod recorded;
+mod simulated;
+
+mod edges;
+mod identify;
+mod observations;
+mod rerun;
+mod table;
+mod translate;

@@ -1,0 +1,226 @@
+//! The table of libraries: it is whole, and says of itself what is true.
+
+use crate::recorded::{for_each, numbers, recorded};
+use quatlas::{ComponentOrder, Direction, Family, Known, Library, libraries, library};
+use std::collections::HashSet;
+use wasm_bindgen_test::wasm_bindgen_test;
+
+/// How a record can be wrong without any number: ids, and what one field says of another.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_table_is_whole() {
+    let ids: HashSet<_> = libraries().iter().map(|library| &library.id).collect();
+    assert_eq!(ids.len(), libraries().len(), "every id once");
+    assert!(libraries().len() >= 60);
+    let run: HashSet<String> = recorded()
+        .observations
+        .iter()
+        .map(|observation| observation["id"].as_str().expect("an id").to_owned())
+        .collect();
+    for library in libraries() {
+        let id = &library.id;
+        assert_eq!(library.known == Known::Run, run.contains(id), "{id}: run");
+        assert_eq!(
+            library.known == Known::Run,
+            library.calls.is_some(),
+            "{id}: calls"
+        );
+        assert!(
+            library.known == Known::Run || library.source.is_some(),
+            "{id}: source"
+        );
+        assert!(
+            library.matrix.is_some() || library.vectors.is_none(),
+            "{id}: vectors"
+        );
+        let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
+        assert!(id.chars().all(plain), "{id}");
+    }
+}
+
+/// What was recorded is in the record, and what is in the record was recorded.
+#[wasm_bindgen_test(unsupported = test)]
+fn nothing_is_claimed_that_was_not_recorded_nor_left_out() {
+    for_each(|library, observed, _| {
+        let printed = |key: &str| numbers(&observed[key]).is_some();
+        let claims = [
+            ("array", library.array_order.is_some(), printed("arrayOfA")),
+            (
+                "handedness",
+                library.handedness.is_some(),
+                printed("productAB") || printed("productIJ"),
+            ),
+            ("matrix", library.matrix.is_some(), printed("matrixA")),
+            ("rotate", library.rotate.is_some(), printed("rotateAV")),
+        ];
+        for (name, claimed, recorded) in claims {
+            assert_eq!(claimed, recorded, "{}: {name}", library.id);
+        }
+        // Some constructors refuse 0.1, 0.2, 0.3, 0.4, whose norm is not 1; their order shows elsewhere.
+        assert!(library.constructor_order.is_some() || !printed("constructed1234"));
+    });
+}
+
+/// The README counts the records.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_counts_of_the_readme_are_true() {
+    let readme = include_str!("../../README.md").replace('\n', " ");
+    let count = |known| {
+        let libraries = libraries().iter();
+        libraries.filter(|library| library.known == known).count()
+    };
+    let sentences = [
+        format!("two of {} libraries", libraries().len()),
+        format!("{} were run", count(Known::Run)),
+        format!("{} were read in their source", count(Known::Read)),
+        format!("{} in their documentation", count(Known::Documented)),
+    ];
+    for sentence in sentences {
+        assert!(readme.contains(&sentence), "{sentence}");
+    }
+}
+
+/// Those that people would look for first.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_people_look_for_is_there() {
+    let wanted = [
+        "geometry_msgs",
+        "tf2",
+        "tf.transformations",
+        "Eigen",
+        "SciPy",
+        "scalar_first",
+        "MATLAB",
+        "MuJoCo",
+        "Drake",
+        "GTSAM",
+        "Sophus",
+        "manif",
+        "Ceres",
+        "KDL",
+        "pinocchio",
+        "PyBullet",
+        "Bullet",
+        "Isaac Lab 2",
+        "Isaac Lab 3",
+        "PX4",
+        "ArduPilot",
+        "MAVLink",
+        "three",
+        "gl-matrix",
+        "Babylon",
+        "Cesium",
+        "Unity",
+        "Unreal",
+        "Godot",
+        "Blender",
+        "glam",
+        "nalgebra",
+        "cgmath",
+        "GLM",
+        "DirectXMath",
+        "OpenSceneGraph",
+        "USD",
+        "Qt",
+        "pyquaternion",
+        "transforms3d",
+        "Gohlke",
+        "numpy-quaternion",
+        "pytransform3d",
+        "spatialmath",
+        "ahrs",
+        "navpy",
+        "spiceypy",
+        "Basilisk",
+        "Hipparchus",
+        "Orekit",
+        "ANISE",
+        "OpenVINS",
+        "MSCKF",
+        "Kalibr",
+        "maplab",
+        "kindr",
+        "minkindr",
+        "OpenXR",
+        "DJI",
+        "Android",
+        "Apple",
+    ];
+    for name in wanted {
+        let lower = name.to_lowercase();
+        let is_named = |library: &Library| {
+            let mut names = [&library.id, &library.name]
+                .into_iter()
+                .chain(&library.words);
+            names.any(|found| found.to_lowercase().contains(&lower))
+        };
+        assert!(libraries().iter().any(is_named), "{name}");
+    }
+}
+
+/// The families of the specification's survey, each with its libraries.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_looks_like_jpl_and_is_not() {
+    let family = |id: &str| library(id).expect(id).family();
+    for id in ["directxmath", "openscenegraph", "panda3d"] {
+        assert_eq!(family(id), Some(Family::ReversedProduct), "{id}");
+    }
+    for id in ["basilisk", "navpy", "matlab-aerospace"] {
+        assert_eq!(family(id), Some(Family::TransposedMatrix), "{id}");
+    }
+    for id in ["openvins", "msckf-vio", "kalibr", "anise"] {
+        assert_eq!(family(id), Some(Family::Shuster), "{id}");
+    }
+    for id in ["babylon", "usd", "eigen", "scipy"] {
+        assert_eq!(family(id), Some(Family::Hamilton), "{id}");
+    }
+}
+
+/// The names of the components in a line of code stand in the order of the constructor or the array.
+#[wasm_bindgen_test(unsupported = test)]
+fn lines_of_code_name_all_components_once() {
+    for library in libraries() {
+        let Some(line) = &library.code.construct else {
+            continue;
+        };
+        let mut places: Vec<(usize, &str)> = ["w", "x", "y", "z"]
+            .into_iter()
+            .map(|name| {
+                let place = format!("{{{name}}}");
+                assert_eq!(line.matches(&place).count(), 1, "{}: {place}", library.id);
+                (line.find(&place).expect("once"), name)
+            })
+            .collect();
+        places.sort_unstable();
+        let order: String = places.iter().map(|(_, name)| *name).collect();
+        let orders = [library.constructor_order, library.array_order]
+            .into_iter()
+            .flatten();
+        let known: Vec<&str> = orders
+            .map(|order| match order {
+                ComponentOrder::ScalarFirst => "wxyz",
+                ComponentOrder::ScalarLast => "xyzw",
+            })
+            .collect();
+        // Names or keywords may stand in any order.
+        let names_them = ["w=", "w =", "w:", "real", ".w", "scalar"]
+            .iter()
+            .any(|mark| line.contains(mark));
+        assert!(
+            known.is_empty() || names_them || known.contains(&&*order),
+            "{}: {line}",
+            library.id
+        );
+    }
+}
+
+/// Without documentation, a quaternion that rotates by R(q) is taken for body to world.
+#[wasm_bindgen_test(unsupported = test)]
+fn documented_directions_are_few_and_known() {
+    let direction = |id: &str| library(id).expect(id).direction;
+    assert_eq!(direction("openvins"), Some(Direction::WorldToBody));
+    assert_eq!(
+        direction("px4-vehicle-attitude"),
+        Some(Direction::BodyToWorld)
+    );
+    assert_eq!(direction("eigen"), None);
+}

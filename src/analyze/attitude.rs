@@ -13,13 +13,13 @@ use crate::convention::OrderSource;
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::matrix::MatrixConvention;
 use crate::problem::fault::Fault;
-use crate::problem::{Field, Problem, Span};
+use crate::problem::{Field, Problem, Span, Wanted};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::text::mend::unit::{self, UnitTexts};
 use crate::text::mend::with_suggestion;
-use crate::text::{ParsedQuaternion, ParsedRotation, RowMarks, parse_rotation};
+use crate::text::{ParsedQuaternion, ParsedRotation, RowMarks, parse_rotation, read_rotation};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
@@ -48,9 +48,10 @@ pub(crate) struct Attitude {
 impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
-        let read = |text: &str| Self::read(text, field, declared);
-        let attitude = read(text).map_err(|problem| {
-            with_suggestion(problem, text, &|candidate| read(candidate).map(drop))
+        let read = |text: &str| Self::read(text, declared);
+        let attitude = read(text).map_err(|fault| {
+            let read = |candidate: &str| read(candidate).map(drop);
+            with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
         })?;
         let is_read = |text: &str| read(text).is_ok();
         Ok(Self {
@@ -62,13 +63,13 @@ impl Attitude {
         })
     }
 
-    fn read(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+    fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
         let Declared { convention, matrix } = declared;
         let span = Span::of_trimmed(text);
-        let in_field = |fault: Fault| fault.in_field(field);
-        let (form, rotation, unit) = match parse_rotation(text, field, convention.order)? {
+        let (parsed, row_marks) = read_rotation(text, convention.order)?;
+        let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
-                return Self::of_quaternion(parsed, convention, span).map_err(in_field);
+                return Self::of_quaternion(parsed, convention, span);
             }
             ParsedRotation::AxisAngle(parsed) => {
                 let read = ReadAxisAngle {
@@ -121,15 +122,11 @@ impl Attitude {
                 (Form::EulerAngles(read), rotation, Some(parsed.unit))
             }
             ParsedRotation::Matrix(entries) => {
-                let (read, rotation) =
-                    of_matrix(entries, matrix, span).map_err(|refusal| Problem {
-                        suggestion: refusal.suggestion,
-                        ..in_field(refusal.fault)
-                    })?;
+                let (read, rotation) = of_matrix(entries, matrix, span)?;
                 (Form::Matrix(read), Ok(rotation), None)
             }
         };
-        let rotation = rotation.map_err(|_| in_field(Fault::too_large(span)))?;
+        let rotation = rotation.map_err(|_| Fault::too_large(span))?;
         let is_matrix = matches!(form, Form::Matrix(_));
         Ok(Self {
             form,
@@ -137,14 +134,14 @@ impl Attitude {
             unit: match unit {
                 Some(UnitSource::Assumed(unit)) => {
                     let unit_of = |text: &str| {
-                        let read = parse_rotation(text, field, convention.order);
+                        let read = parse_rotation(text, convention.order);
                         read.ok().and_then(|read| read.unit())
                     };
                     Some(unit_assumed(unit, unit::for_all(text, &unit_of)))
                 }
                 _ => None,
             },
-            row_marks: is_matrix.then(|| RowMarks::of(text)),
+            row_marks: is_matrix.then_some(row_marks),
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,

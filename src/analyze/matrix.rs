@@ -27,26 +27,11 @@ const LARGEST_CORRECTION_OFFERED: f64 = 1.0;
 /// whatever two decimals have made of the matrix.
 const FLIPPED_COSINE: f64 = 0.999;
 
-/// Why nine numbers are no attitude, and the matrix that may have been meant.
-pub(crate) struct Refusal {
-    pub(crate) fault: Fault,
-    pub(crate) suggestion: Option<Box<Suggestion>>,
-}
-
-impl From<Fault> for Refusal {
-    fn from(fault: Fault) -> Self {
-        Self {
-            fault,
-            suggestion: None,
-        }
-    }
-}
-
 pub(crate) fn of_matrix(
     entries: Matrix3<f64>,
     convention: MatrixConvention,
     span: Span,
-) -> Result<(ReadMatrix, Rotation), Refusal> {
+) -> Result<(ReadMatrix, Rotation), Fault> {
     let tagged = |entries| TaggedMatrix {
         entries,
         convention,
@@ -63,26 +48,26 @@ pub(crate) fn of_matrix(
     let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
     let nearest = Rotation::nearest_to_matrix(&typed).map_err(|reason| match reason {
         NoNearestRotation::Reflection if is_near(-entries) => reflection(entries, span),
-        NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths, None).into(),
-        NoNearestRotation::NotFinite => Fault::too_large(span).into(),
-        NoNearestRotation::Singular if entries.amax() == 0.0 => Refusal {
-            fault: Fault::zero_matrix(span),
+        NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths, None),
+        NoNearestRotation::NotFinite => Fault::too_large(span),
+        NoNearestRotation::Singular if entries.amax() == 0.0 => Fault {
             suggestion: Some(suggested(Remedy::WriteIdentity, &Matrix3::identity())),
+            ..Fault::zero_matrix(span)
         },
-        NoNearestRotation::Singular => Fault::singular_matrix(span).into(),
+        NoNearestRotation::Singular => Fault::singular_matrix(span),
     })?;
     if nearest.correction > LARGEST_CORRECTION {
         let scale = scaled_lengths.iter().sum::<f64>() / 3.0;
         let is_scaled = is_near(scaled / scale);
         let rotation = nearest.rotation.to_tagged_matrix(convention).entries;
         let is_offered = is_scaled || nearest.correction <= LARGEST_CORRECTION_OFFERED;
-        return Err(Refusal {
-            fault: if is_scaled {
+        return Err(Fault {
+            suggestion: is_offered.then(|| suggested(Remedy::NearestRotation, &rotation)),
+            ..if is_scaled {
                 Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
             } else {
                 Fault::not_a_rotation(span, lengths, Some(nearest.correction))
-            },
-            suggestion: is_offered.then(|| suggested(Remedy::NearestRotation, &rotation)),
+            }
         });
     }
     let read = ReadMatrix {
@@ -107,7 +92,7 @@ fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Box<Suggestion> {
 /// Turning round any one axis, or all three, makes a rotation of a mirror image; only where one
 /// stands against itself does the matrix alone tell which of them it was. Rows and columns leave the
 /// same angle, which the trace tells.
-fn reflection(entries: Matrix3<f64>, span: Span) -> Refusal {
+fn reflection(entries: Matrix3<f64>, span: Span) -> Fault {
     let trace = entries.trace();
     let flips = [0, 1, 2].map(|axis| (Some(axis), trace - 2.0 * entries[(axis, axis)]));
     let (axis, _) =
@@ -131,8 +116,8 @@ fn reflection(entries: Matrix3<f64>, span: Span) -> Refusal {
             (mirror, restored)
         }
     };
-    Refusal {
-        fault: Fault::reflection(span, mirror),
+    Fault {
         suggestion: Some(suggested(Remedy::RestoreAxis, &restored)),
+        ..Fault::reflection(span, mirror)
     }
 }

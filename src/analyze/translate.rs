@@ -245,7 +245,7 @@ fn construct(template: &str, components: &Components, meaning: &Meaning) -> Stri
     let numbers = Quaternion::new(1.0, 2.0, 3.0, 4.0);
     let sample = Components::of(&numbers, ComponentOrder::ScalarFirst);
     let sample = code_line::write(template, &sample);
-    let read = parse_rotation(&sample, Field::Quaternion, meaning.order);
+    let read = parse_rotation(&sample, meaning.order);
     match read {
         Ok(ParsedRotation::Quaternion(read))
             if read.unknown_constructor.is_none() && read.order_source == OrderSource::Declared =>

@@ -3,8 +3,11 @@
 //! A problem never ends the program: it is data, returned in place of a
 //! report. What each says stands in `sentences/`.
 
-// A problem without its text.
-pub(crate) mod fault;
+/// What is wrong with a text.
+pub mod fault;
+
+// A problem as lines of text.
+mod render;
 
 // What each problem says.
 pub(crate) mod sentences;
@@ -16,7 +19,6 @@ use crate::problem::suggestion::Suggestion;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;
-use unicode_width::UnicodeWidthStr;
 
 /// Which text of a request a problem or a note is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -120,14 +122,6 @@ impl From<Range<usize>> for Span {
             end: range.end,
         }
     }
-}
-
-/// The greatest character boundary of `text` that is not after `byte`.
-fn floor_boundary(text: &str, byte: usize) -> usize {
-    (0..=byte.min(text.len()))
-        .rev()
-        .find(|&at| text.is_char_boundary(at))
-        .unwrap_or(0)
 }
 
 /// What kind of problem it is; the names are stable.
@@ -273,59 +267,6 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
-/// How much of a long line [`Problem::render`] shows on each side of the place, in characters.
-const EXCERPT_CHARACTERS: usize = 32;
-
-impl Problem {
-    /// The problem as lines of text: the message, the line at fault with carets under the place,
-    /// what was expected and what to try, and the text to write where there is one.
-    ///
-    /// ```
-    /// # use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
-    /// let text = "🙂 0 0 1";
-    /// let request = Request::Read(ReadRequest::new(text, "1 0 0", Convention::HAMILTON));
-    /// let Outcome::Problems(found) = analyze(&request) else { panic!() };
-    /// let lines = found.problems[0].render(text);
-    /// assert!(lines.contains("\n  | 🙂 0 0 1\n  | ^^\n"), "{lines}");
-    /// ```
-    #[must_use]
-    pub fn render(&self, text: &str) -> String {
-        let start = floor_boundary(text, self.span.start);
-        let end = floor_boundary(text, self.span.end).max(start);
-        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
-        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
-        // A tab would move the carets: every control character is shown as one space.
-        let plain = |part: &str| part.replace(char::is_control, " ");
-        let before = plain(&text[line_start..start]);
-        let marked = plain(&text[start..end.min(line_end)]);
-        let after = plain(&text[end.min(line_end)..line_end]);
-
-        let lead = match before.char_indices().nth_back(EXCERPT_CHARACTERS - 1) {
-            Some((at, _)) if at > 0 => format!("…{}", &before[at..]),
-            _ => before,
-        };
-        let marked = shorten(&marked, EXCERPT_CHARACTERS);
-        let tail = shorten(&after, EXCERPT_CHARACTERS);
-        let carets = "^".repeat(marked.width().max(1));
-        let write = self
-            .suggestion
-            .as_ref()
-            .map_or_else(String::new, |found| format!("write:\n{}\n", found.text));
-        format!(
-            "{}: {}\n  | {}{}{}\n  | {}{}\nexpected: {}\ntry: {}\n{write}",
-            self.code.name(),
-            self.message,
-            lead,
-            marked,
-            tail,
-            " ".repeat(lead.width()),
-            carets,
-            self.expected,
-            self.hint,
-        )
-    }
-}
-
 /// What a text is meant to hold, which decides the examples in its messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wanted {
@@ -375,4 +316,12 @@ pub(crate) fn shorten(text: &str, most: usize) -> String {
         Some((at, _)) => format!("{}…", &text[..at]),
         None => text.to_owned(),
     }
+}
+
+/// The greatest character boundary of `text` that is not after `byte`.
+pub(crate) fn floor_boundary(text: &str, byte: usize) -> usize {
+    (0..=byte.min(text.len()))
+        .rev()
+        .find(|&at| text.is_char_boundary(at))
+        .unwrap_or(0)
 }

@@ -104,32 +104,22 @@ pub(crate) mod grammar;
 // A text that has a problem, rewritten so that it is read.
 pub(crate) mod mend;
 
+// Tokens to a rotation: which description they are.
+mod readers;
+
 // Words and names that are known.
 mod vocabulary;
 
 use crate::convention::ComponentOrder;
-use crate::convention::OrderSource;
 use crate::problem::fault::Fault;
-use crate::problem::{Field, MAX_TEXT_BYTES, Problem, Span, Wanted, is_too_long};
+use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
 pub use crate::text::description::ParsedRotation;
-use crate::text::description::announced;
-use crate::text::description::call;
-use crate::text::description::list;
 pub(crate) use crate::text::description::list::only_numbers;
-use crate::text::description::matrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
-use crate::text::description::matrix_columns;
-use crate::text::description::members::component;
-use crate::text::description::parts;
 use crate::text::description::quaternion;
 pub use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::description::settings::{Settings, without_settings};
-use crate::text::description::wording::{Spoken, spoken};
-use crate::text::grammar::lex::Token;
-use crate::text::grammar::tree::{Entry, NodeKind};
-use crate::text::vocabulary::console;
-use crate::text::vocabulary::declaration;
-use crate::text::vocabulary::phrases::Form;
+use crate::text::readers::rotation;
+use crate::text::vocabulary::Telling;
 use nalgebra::Vector3;
 
 /// The rotation that a text holds, in whichever description it is written.
@@ -143,32 +133,38 @@ use nalgebra::Vector3;
 /// a matrix that is no rotation are none here.
 ///
 /// ```
-/// use quatlas::{AngleUnit, ComponentOrder, EulerSequence, Field, ParsedRotation, UnitSource};
+/// use quatlas::{AngleUnit, ComponentOrder, EulerSequence, ParsedRotation, UnitSource};
 /// use quatlas::parse_rotation;
 ///
 /// // Three different angles: yaw first, about the moving axes z, y, x.
-/// let text = "ZYX 30deg 20deg 10deg";
-/// let parsed = parse_rotation(text, Field::Quaternion, ComponentOrder::ScalarFirst)?;
+/// let parsed = parse_rotation("ZYX 30deg 20deg 10deg", ComponentOrder::ScalarFirst)?;
 /// let ParsedRotation::EulerAngles(euler) = parsed else { panic!("{parsed:?}") };
 /// assert_eq!(euler.sequence, EulerSequence::AEROSPACE);
 /// assert_eq!(euler.angles_rad[0], std::f64::consts::FRAC_PI_6);
 /// assert_eq!(euler.unit, UnitSource::Written(AngleUnit::Degrees));
 ///
 /// // Rows as written: a quarter turn about z.
-/// let parsed = parse_rotation("[0 -1 0; 1 0 0; 0 0 1]", Field::P, ComponentOrder::ScalarLast)?;
+/// let parsed = parse_rotation("[0 -1 0; 1 0 0; 0 0 1]", ComponentOrder::ScalarLast)?;
 /// let ParsedRotation::Matrix(matrix) = parsed else { panic!("{parsed:?}") };
 /// assert_eq!((matrix[(0, 1)], matrix[(1, 0)]), (-1.0, 1.0));
-/// # Ok::<(), quatlas::Problem>(())
+/// # Ok::<(), quatlas::Fault>(())
 /// ```
-pub fn parse_rotation(
+pub fn parse_rotation(text: &str, declared: ComponentOrder) -> Result<ParsedRotation, Fault> {
+    read_rotation(text, declared).map(|(rotation, _)| rotation)
+}
+
+/// The same, and what marks the rows if it is a matrix.
+pub(crate) fn read_rotation(
     text: &str,
-    field: Field,
     declared: ComponentOrder,
-) -> Result<ParsedRotation, Problem> {
-    check_length(text).map_err(|fault| fault.in_field(field))?;
-    read(text, Wanted::Quaternion)
-        .and_then(|(tokens, span)| rotation(&tokens, text, span, declared))
-        .map_err(|fault| fault.in_field(field))
+) -> Result<(ParsedRotation, RowMarks), Fault> {
+    let (telling, span) = telling(text, Wanted::Quaternion)?;
+    let rotation = rotation(&telling.tokens, text, span, declared)?;
+    let row_marks = match rotation {
+        ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
+        _ => RowMarks::None,
+    };
+    Ok((rotation, row_marks))
 }
 
 /// The quaternion that a text holds.
@@ -181,16 +177,16 @@ pub fn parse_rotation(
 /// a zero quaternion is none here.
 ///
 /// ```
-/// use quatlas::{ComponentOrder, Field, OrderSource, parse_quaternion};
+/// use quatlas::{ComponentOrder, OrderSource, parse_quaternion};
 ///
 /// // The constructor's order wins: the scalar is the first number.
 /// let text = "Eigen::Quaterniond(1/2, -1/2, 1/√2, 0)";
-/// let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarLast)?;
+/// let parsed = parse_quaternion(text, ComponentOrder::ScalarLast)?;
 /// assert_eq!((parsed.quaternion.w, parsed.quaternion.i), (0.5, -0.5));
 /// assert_eq!(parsed.order_source, OrderSource::Constructor);
 ///
 /// let refused = |text| {
-///     let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst);
+///     let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst);
 ///     parsed.unwrap_err().to_string()
 /// };
 /// assert_eq!(refused("1 0 0"), "3 numbers in place of 4");
@@ -198,18 +194,14 @@ pub fn parse_rotation(
 ///     refused("rotvec 0 0 1"),
 ///     "this is a rotation vector, and a quaternion is wanted here"
 /// );
-/// # Ok::<(), quatlas::Problem>(())
+/// # Ok::<(), quatlas::Fault>(())
 /// ```
-pub fn parse_quaternion(
-    text: &str,
-    field: Field,
-    declared: ComponentOrder,
-) -> Result<ParsedQuaternion, Problem> {
-    match parse_rotation(text, field, declared)? {
+pub fn parse_quaternion(text: &str, declared: ComponentOrder) -> Result<ParsedQuaternion, Fault> {
+    match parse_rotation(text, declared)? {
         ParsedRotation::Quaternion(quaternion) => Ok(quaternion),
         other => {
-            let fault = Fault::not_a_quaternion(Span::of_trimmed(text), other.in_words());
-            Err(fault.in_field(field))
+            let span = Span::of_trimmed(text);
+            Err(Fault::not_a_quaternion(span, other.in_words()))
         }
     }
 }
@@ -221,141 +213,26 @@ pub fn parse_quaternion(
 /// The first problem of the text; its span counts bytes.
 ///
 /// ```
-/// use quatlas::{Field, parse_vector};
-/// assert_eq!(parse_vector("2k - i", Field::Vector)?.as_slice(), [-1.0, 0.0, 2.0]);
-/// # Ok::<(), quatlas::Problem>(())
+/// use quatlas::parse_vector;
+/// assert_eq!(parse_vector("2k - i")?.as_slice(), [-1.0, 0.0, 2.0]);
+/// # Ok::<(), quatlas::Fault>(())
 /// ```
-pub fn parse_vector(text: &str, field: Field) -> Result<Vector3<f64>, Problem> {
-    check_length(text).map_err(|fault| fault.in_field(field))?;
-    read(text, Wanted::Vector)
-        .and_then(|(tokens, span)| quaternion::vector(&grammar::entries(&tokens)?, span))
-        .map_err(|fault| fault.in_field(field))
+pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
+    let (telling, span) = telling(text, Wanted::Vector)?;
+    quaternion::vector(&grammar::entries(&telling.tokens)?, span)
 }
 
+/// The tokens of a text, and its place without the space around it.
+///
 /// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
-fn check_length(text: &str) -> Result<(), Fault> {
+fn telling(text: &str, wanted: Wanted) -> Result<(Telling<'_>, Span), Fault> {
     if is_too_long(text) {
         let span = Span::of_trimmed(text);
         return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
     }
-    Ok(())
-}
-
-fn read(text: &str, wanted: Wanted) -> Result<(Vec<Token<'_>>, Span), Fault> {
-    let span = Span::of_trimmed(text);
-    let tokens = console::without_list_names(&declaration::tokens(text)?);
-    if tokens.is_empty() {
+    let telling = Telling::of(text)?;
+    if telling.tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
     }
-    Ok((tokens, span))
-}
-
-fn rotation(
-    tokens: &[Token<'_>],
-    text: &str,
-    span: Span,
-    declared: ComponentOrder,
-) -> Result<ParsedRotation, Fault> {
-    let (tokens, settings) = without_settings(tokens)?;
-    let rotation = match described(&tokens, text, span, &settings)? {
-        Described::Rotation(rotation) => rotation,
-        Described::Quaternion(entries) => {
-            let told = settings.order.map(|(order, _)| order);
-            settings.check_no_unit()?;
-            let quaternion = quaternion::quaternion(&entries, span, declared, told)?;
-            // Names have no order that another could contradict.
-            if quaternion.order_source != OrderSource::Named {
-                settings.check_order(Some(quaternion.order))?;
-            }
-            return Ok(ParsedRotation::Quaternion(quaternion));
-        }
-        Described::InItself(rotation) => {
-            settings.check_no_unit()?;
-            rotation
-        }
-    };
-    settings.check_order(None)?;
-    Ok(rotation)
-}
-
-/// What a text is before the order of its numbers matters.
-enum Described<'t> {
-    /// Angles, with what is said of their unit already used.
-    Rotation(ParsedRotation),
-    /// What needs no word for its unit: a call, or a matrix.
-    InItself(ParsedRotation),
-    Quaternion(Vec<Entry<'t>>),
-}
-
-fn described<'t>(
-    tokens: &[Token<'t>],
-    text: &'t str,
-    span: Span,
-    settings: &Settings<'t>,
-) -> Result<Described<'t>, Fault> {
-    let unit = settings.unit.map(|(unit, _)| unit);
-    let numbers = match spoken(tokens, text) {
-        Spoken::About {
-            before,
-            word,
-            after,
-        } => return announced::about(before, word, after, unit).map(Described::Rotation),
-        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
-        Spoken::Several(second) => return Err(Fault::several_values(second)),
-        Spoken::Parts(labels, parts) => {
-            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
-            return parts::rotation(&parts, &announcement, span).map(Described::Rotation);
-        }
-        Spoken::Vectors(vectors) => {
-            let matrix = matrix_columns::matrix(&vectors, span)?;
-            return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
-        }
-        Spoken::Announced(announcement, rest) => match announcement.form {
-            Some(Form::Quaternion) | None => rest,
-            Some(form) => {
-                let announcement = announcement
-                    .with_unit(unit)?
-                    .with_sequence(settings.sequence)?;
-                return announced::announced(&announcement, form, rest, text)
-                    .map(Described::Rotation);
-            }
-        },
-        Spoken::Nothing => tokens,
-    };
-    let entries = grammar::entries(numbers)?;
-    let is_announced = numbers.len() < tokens.len();
-    if !is_announced {
-        if let Some(rotation) = announced::angle_beside_axis(&entries)? {
-            return Ok(Described::InItself(rotation));
-        }
-        if let Some(first) = list::sequence_among_numbers(&entries) {
-            return Err(Fault::sequence_or_number(first));
-        }
-    }
-    if let Some(rotation) = call::rotation(&entries)? {
-        return Ok(Described::InItself(rotation));
-    }
-    if let Some(matrix) = matrix::unannounced(&without_names(&entries)?, span)? {
-        return Ok(Described::InItself(ParsedRotation::Matrix(matrix)));
-    }
-    if let [first, _, ..] = &entries[..]
-        && first.key.is_none()
-        && let NodeKind::Word(word) = first.node.kind
-    {
-        return Err(Fault::unknown_keyword(first.node.span, word));
-    }
-    Ok(Described::Quaternion(entries))
-}
-
-/// The members without the names of the whole, as in `R = [[…], […], […]]`, and without the braces
-/// around such names: `{"pose": {"R": [[…], […], […]]}}`.
-fn without_names<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
-    let mut entries = list::members(entries)?;
-    while let Some(first) = entries.first_mut()
-        && first.key.is_some_and(|key| component(key.name).is_none())
-    {
-        first.key = None;
-        entries = list::members(&entries)?;
-    }
-    Ok(entries)
+    Ok((telling, Span::of_trimmed(text)))
 }

@@ -7,8 +7,8 @@ use crate::recorded::{
 use crate::support::assert_close;
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
-    ComponentOrder, Convention, CosineMatrix, Field, HalfTurns, NonUnitResult, ParsedRotation,
-    Rotation, SignChoice, SlerpWay, TaggedQuaternion, ZeroResult, libraries, parse_rotation,
+    ComponentOrder, Convention, CosineMatrix, HalfTurns, NonUnitResult, ParsedRotation, Rotation,
+    SignChoice, SlerpWay, TaggedQuaternion, ZeroResult, libraries, parse_rotation,
 };
 use serde_json::Value;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -227,8 +227,7 @@ fn euler_calls_that_are_read_mean_what_was_printed() {
                 [0.3, 0.5, 0.7]
             };
             let text = with_numbers(call.call.split(" in degrees").next().expect("one"), angles);
-            let Ok(parsed) = parse_rotation(&text, Field::Quaternion, ComponentOrder::ScalarLast)
-            else {
+            let Ok(parsed) = parse_rotation(&text, ComponentOrder::ScalarLast) else {
                 continue;
             };
             let ParsedRotation::EulerAngles(euler) = parsed else {

@@ -1,7 +1,7 @@
 //! What the core says of a text.
 
 use quatlas::{
-    AngleUnit, ComponentOrder, ComposeReport, ComposeRequest, Convention, Fact, Field, Outcome,
+    AngleUnit, ComponentOrder, ComposeReport, ComposeRequest, Convention, Fact, Outcome,
     ParsedRotation, Problem, ReadReport, ReadRequest, Request, UnitSource, analyze, parse_rotation,
 };
 
@@ -43,7 +43,7 @@ pub(crate) fn compose(p: &str, q: &str, vector: &str, convention: Convention) ->
 #[track_caller]
 pub(crate) fn rotation(text: &str) -> ParsedRotation {
     let [first, last] = ComponentOrder::ALL.map(|declared| {
-        parse_rotation(text, Field::Quaternion, declared)
+        parse_rotation(text, declared)
             .unwrap_or_else(|problem| panic!("{text}\n{}", problem.render(text)))
     });
     assert_eq!(first, last, "{text}");

@@ -211,8 +211,8 @@ fn what_is_no_such_vector_is_refused() {
         ("mrp 0 0 1", "a set of modified Rodrigues parameters"),
         ("halfangle 0 0 1", "a half-angle vector"),
     ] {
-        let problem = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst)
-            .expect_err("no quaternion");
+        let problem =
+            parse_quaternion(text, ComponentOrder::ScalarFirst).expect_err("no quaternion");
         assert!(problem.message.contains(what), "{problem}");
     }
 }

@@ -221,7 +221,7 @@ fn one_matrix_or_call_in_json_is_read() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_name_of_the_whole_stands_before_a_call() {
     for text in ["x = Eigen::Vector3d(1, 2, 3)", "x = np.array([1, 2, 3])"] {
-        let vector = quatlas::parse_vector(text, quatlas::Field::Vector).expect(text);
+        let vector = quatlas::parse_vector(text).expect(text);
         assert_eq!(vector.as_slice(), [1.0, 2.0, 3.0], "{text}");
     }
     let text = "2, [0, 0, 1]";

@@ -20,7 +20,7 @@ fn check_messages(field: Field, code: ProblemCode, texts: &[(&str, &str, &str)])
 
 #[track_caller]
 fn quaternion(text: &str) -> [f64; 4] {
-    let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst);
+    let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst);
     wxyz(
         &parsed
             .unwrap_or_else(|problem| panic!("{}", problem.render(text)))
@@ -109,7 +109,7 @@ fn a_frame_around_numbers_is_passed_over() {
     ];
     check_quaternions([0.6, 0.0, -0.8, 0.0], &texts);
     let matrix = "╭ 0 -1 0 ╮\n│ 1  0 0 │\n╰ 0  0 1 ╯";
-    let parsed = parse_rotation(matrix, Field::Quaternion, ComponentOrder::ScalarFirst);
+    let parsed = parse_rotation(matrix, ComponentOrder::ScalarFirst);
     let Ok(ParsedRotation::Matrix(rows)) = parsed else {
         panic!("{parsed:?}")
     };
@@ -244,7 +244,7 @@ fn three_digits_that_begin_with_a_zero_may_be_thousands() {
         "10 0 5",
         "10 0.000 5",
     ] {
-        let vector = parse_vector(text, Field::Vector).expect(text);
+        let vector = parse_vector(text).expect(text);
         assert_eq!(vector.as_slice(), [10.0, 0.0, 5.0], "{text}");
     }
 }

@@ -4,7 +4,7 @@ use crate::asked::{facts, read, rotation};
 use crate::checked::check_refused;
 use crate::rows::row_major;
 use quatlas::{
-    ComponentOrder, Convention, CosineMatrix, Fact, Field, IdentifyRequest, MatrixLayout, Outcome,
+    ComponentOrder, Convention, CosineMatrix, Fact, IdentifyRequest, MatrixLayout, Outcome,
     ParsedRotation, Probe, ProblemCode, Request, analyze, parse_quaternion,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -50,7 +50,7 @@ fn labelled_vectors_are_the_columns_of_a_matrix() {
     }
     // One number each: components, also where a sum stands for one.
     let parts = "x: 1 - 0.4, y: 0, z: 0, w: 0.1 + 0.7";
-    let parsed = parse_quaternion(parts, Field::Quaternion, ComponentOrder::ScalarFirst);
+    let parsed = parse_quaternion(parts, ComponentOrder::ScalarFirst);
     assert_eq!(parsed.map(|parsed| parsed.quaternion.i), Ok(0.6));
 }
 

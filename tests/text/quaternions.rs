@@ -1,7 +1,7 @@
 //! Every form of text of four numbers and of three, and the order that it tells.
 
 use crate::support::{assert_close, wxyz};
-use quatlas::{ComponentOrder, Field, OrderSource, parse_quaternion, parse_vector};
+use quatlas::{ComponentOrder, OrderSource, parse_quaternion, parse_vector};
 use wasm_bindgen_test::wasm_bindgen_test;
 
 /// √½, cos(π/8) and sin(π/8), as the nearest doubles.
@@ -112,7 +112,7 @@ fn a_text_that_tells_its_order_is_read_alike_under_both_declarations() {
 fn check_told(texts: &[(&str, OrderSource)]) {
     for (text, source) in texts {
         for declared in ComponentOrder::ALL {
-            let parsed = parse_quaternion(text, Field::Quaternion, declared)
+            let parsed = parse_quaternion(text, declared)
                 .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
             assert_close(
                 text,
@@ -224,7 +224,7 @@ const BARE: &[&str] = &[
 #[wasm_bindgen_test(unsupported = test)]
 fn bare_numbers_are_read_in_the_declared_order() {
     let read_as = |text: &str, declared| {
-        let parsed = parse_quaternion(text, Field::Quaternion, declared)
+        let parsed = parse_quaternion(text, declared)
             .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
         assert_eq!(parsed.order_source, OrderSource::Declared, "{text}");
         assert_eq!(parsed.order, declared, "{text}");
@@ -274,7 +274,7 @@ fn arithmetic_is_computed() {
         ),
     ];
     for (text, expected) in cases {
-        let parsed = parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarFirst)
+        let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst)
             .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
         assert_close(text, &wxyz(&parsed.quaternion), expected, ARITHMETIC);
     }
@@ -295,8 +295,8 @@ fn vectors_come_in_the_same_forms() {
         "v: [1, -2, 0.5]",
     ];
     for text in texts {
-        let vector = parse_vector(text, Field::Vector)
-            .unwrap_or_else(|problem| panic!("{}", problem.render(text)));
+        let vector =
+            parse_vector(text).unwrap_or_else(|problem| panic!("{}", problem.render(text)));
         assert_eq!(vector.as_slice(), [1.0, -2.0, 0.5], "{text}");
     }
 }
@@ -304,13 +304,13 @@ fn vectors_come_in_the_same_forms() {
 /// What Node and nalgebra write around numbers is passed over; the place of a problem stays.
 #[wasm_bindgen_test(unsupported = test)]
 fn what_consoles_write_around_numbers() {
-    let four = |text: &str| parse_quaternion(text, Field::Quaternion, ComponentOrder::ScalarLast);
+    let four = |text: &str| parse_quaternion(text, ComponentOrder::ScalarLast);
     let parsed = four("Float32Array(4) [ 0.1, -0.2, 0.38, 0.92 ]").expect("four numbers");
     assert_eq!((parsed.quaternion.w, parsed.quaternion.i), (0.92, 0.1));
-    let vector = parse_vector("Vector3(3) [ 3, 1, 2 ]", Field::Vector).expect("three numbers");
+    let vector = parse_vector("Vector3(3) [ 3, 1, 2 ]").expect("three numbers");
     assert_eq!(vector.as_slice(), [3.0, 1.0, 2.0]);
     let drawn = "\u{250c} 1 \u{2510}\n\u{2502} 2 \u{2502}\n\u{2514} 3 \u{2518}";
-    let vector = parse_vector(drawn, Field::Vector).expect("three numbers");
+    let vector = parse_vector(drawn).expect("three numbers");
     assert_eq!(vector.as_slice(), [1.0, 2.0, 3.0]);
     let text = "\u{2502}\u{2502} Quaternion(4) [ 0, 0, oops, 1 ]";
     let problem = four(text).expect_err("a word");

@@ -5,8 +5,7 @@ use crate::rows::row_major;
 use crate::support::assert_close;
 use quatlas::nalgebra::Vector3;
 use quatlas::{
-    ComponentOrder, Field, ParsedRotation, UnitSource, parse_quaternion, parse_rotation,
-    parse_vector,
+    ComponentOrder, ParsedRotation, UnitSource, parse_quaternion, parse_rotation, parse_vector,
 };
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6, PI, TAU};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -349,7 +348,7 @@ fn an_announced_quaternion_is_one() {
         "quat [1/2, 0, 0, -1]",
         "quaternion = [1/2, 0, 0, -1]",
     ] {
-        let parsed = parse_quaternion(text, Field::P, ComponentOrder::ScalarFirst);
+        let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst);
         let quaternion = parsed.expect("a quaternion").quaternion;
         assert_eq!((quaternion.w, quaternion.k), (0.5, -1.0), "{text}");
     }
@@ -376,9 +375,9 @@ fn where_a_quaternion_or_a_vector_is_wanted_the_others_are_refused() {
         ),
     ];
     for (text, message) in cases {
-        let refused = parse_quaternion(text, Field::Q, ComponentOrder::ScalarFirst);
+        let refused = parse_quaternion(text, ComponentOrder::ScalarFirst);
         assert_eq!(refused.expect_err("a problem").to_string(), message);
-        parse_vector(text, Field::Vector).expect_err("a problem");
+        parse_vector(text).expect_err("a problem");
     }
 }
 
@@ -391,7 +390,7 @@ fn a_vector_and_a_scalar_in_the_open_stay_a_quaternion() {
         ("([0, 0, 1], 0)", 0.0, 1.0),
         ("Gf.Quatd(0.5, Gf.Vec3d(0, 0, 1))", 0.5, 1.0),
     ] {
-        let parsed = parse_rotation(text, Field::P, ComponentOrder::ScalarFirst);
+        let parsed = parse_rotation(text, ComponentOrder::ScalarFirst);
         let Ok(ParsedRotation::Quaternion(parsed)) = parsed else {
             panic!("{text}: {parsed:?}");
         };

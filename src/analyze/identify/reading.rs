@@ -11,7 +11,7 @@ use crate::problem::{Field, Problem, ProblemCode, Span};
 use crate::text::{
     ParsedRotation, RowMarks, only_numbers, parse_quaternion, parse_rotation, parse_vector,
 };
-use nalgebra::{Matrix3, Quaternion};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 
 /// Fewer decimals than these are taken for exact in what went in, such as 0.5.
 const ROUNDED_DECIMALS: usize = 3;
@@ -24,23 +24,24 @@ pub(crate) const LONGEST_TEXT_BYTES: usize = 4096;
 pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Problem> {
     Ok(match probe {
         Probe::Components { quaternion, .. } => {
-            Question::Components(numbers(quaternion, Field::Quaternion)?)
+            Question::Components(numbers(quaternion).map_err(in_field(Field::Quaternion))?)
         }
-        Probe::Product { a, b, .. } => {
-            Question::Product(numbers(a, Field::A)?, numbers(b, Field::B)?)
-        }
+        Probe::Product { a, b, .. } => Question::Product(
+            numbers(a).map_err(in_field(Field::A))?,
+            numbers(b).map_err(in_field(Field::B))?,
+        ),
         Probe::Rotate {
             quaternion, vector, ..
         } => Question::Rotate(
-            numbers(quaternion, Field::Quaternion)?,
-            parse_vector(measured(vector, Field::Vector)?, Field::Vector)?,
+            numbers(quaternion).map_err(in_field(Field::Quaternion))?,
+            vector_of(vector).map_err(in_field(Field::Vector))?,
         ),
         Probe::Matrix {
             quaternion,
             layout,
             printed,
         } => Question::Matrix(
-            numbers(quaternion, Field::Quaternion)?,
+            numbers(quaternion).map_err(in_field(Field::Quaternion))?,
             written_layout(*layout, printed, language),
         ),
         Probe::FromMatrix {
@@ -53,7 +54,7 @@ pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Pr
                 MatrixLayout::AsWritten => MatrixLayout::Rows,
                 known => *known,
             };
-            Question::from_matrix(matrix(given, Field::Matrix)?, layout)
+            Question::from_matrix(matrix(given).map_err(in_field(Field::Matrix))?, layout)
         }
         Probe::QuarterTurn { .. } => Question::QuarterTurn,
         Probe::Perturb {
@@ -61,8 +62,8 @@ pub(crate) fn question(probe: &Probe, language: Language) -> Result<Question, Pr
             rotation_vector,
             ..
         } => Question::Perturb(
-            numbers(quaternion, Field::Quaternion)?,
-            turn(rotation_vector)?,
+            numbers(quaternion).map_err(in_field(Field::Quaternion))?,
+            turn(rotation_vector).map_err(in_field(Field::RotationVector))?,
         ),
     })
 }
@@ -81,16 +82,21 @@ fn written_layout(layout: MatrixLayout, printed: &str, language: Language) -> Ma
 
 /// What came out.
 pub(crate) fn printed(probe: &Probe) -> Result<Printed, Problem> {
-    let (text, field) = (probe.printed(), Field::Printed);
-    Ok(match probe {
-        Probe::Rotate { .. } => Printed::Vector(parse_vector(measured(text, field)?, field)?),
-        Probe::Matrix { .. } => Printed::Matrix(matrix(text, field)?),
+    let text = probe.printed();
+    let printed = match probe {
+        Probe::Rotate { .. } => vector_of(text).map(Printed::Vector),
+        Probe::Matrix { .. } => matrix(text).map(Printed::Matrix),
         Probe::Components { .. }
         | Probe::Product { .. }
         | Probe::FromMatrix { .. }
         | Probe::QuarterTurn { .. }
-        | Probe::Perturb { .. } => Printed::Quaternion(numbers(text, field)?),
-    })
+        | Probe::Perturb { .. } => numbers(text).map(Printed::Quaternion),
+    };
+    printed.map_err(in_field(Field::Printed))
+}
+
+fn in_field(field: Field) -> impl Fn(Fault) -> Problem {
+    move |fault| fault.in_field(field)
 }
 
 /// How far the numbers may be rounded: half a unit of the last decimal, of what was printed and of
@@ -116,23 +122,26 @@ fn decimals(text: &str) -> usize {
 }
 
 /// The text, if it is not too long to be worked on.
-fn measured(text: &str, field: Field) -> Result<&str, Problem> {
+fn measured(text: &str) -> Result<&str, Fault> {
     if text.len() > LONGEST_TEXT_BYTES {
         let span = Span::of_trimmed(text);
-        let fault = Fault::text_too_long(span, text.len(), LONGEST_TEXT_BYTES);
-        return Err(fault.in_field(field));
+        return Err(Fault::text_too_long(span, text.len(), LONGEST_TEXT_BYTES));
     }
     Ok(text)
 }
 
+fn vector_of(text: &str) -> Result<Vector3<f64>, Fault> {
+    parse_vector(measured(text)?)
+}
+
 /// Four numbers: with names where the text tells which is which, and else as they stand.
-fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
-    let text = measured(text, field)?;
-    let parsed = parse_quaternion(text, field, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
+fn numbers(text: &str) -> Result<Numbers, Fault> {
+    let text = measured(text)?;
+    let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst).map_err(of_numbers)?;
     let Quaternion { coords } = parsed.quaternion;
     if coords.amax() == 0.0 {
         let fault = Fault::zero_quaternion(Span::of_trimmed(text));
-        return Err(of_numbers(fault.in_field(field)));
+        return Err(of_numbers(fault));
     }
     let [w, x, y, z] = [coords.w, coords.x, coords.y, coords.z];
     // A constructor by name tells nothing here: which order it takes is the question.
@@ -144,46 +153,40 @@ fn numbers(text: &str, field: Field) -> Result<Numbers, Problem> {
 }
 
 /// Only numbers are wanted here, not any description of a rotation.
-fn of_numbers(problem: Problem) -> Problem {
+fn of_numbers(fault: Fault) -> Fault {
     let is_of_rotations = matches!(
-        problem.code,
+        fault.code,
         ProblemCode::EmptyText
             | ProblemCode::WrongCount
             | ProblemCode::ZeroQuaternion
             | ProblemCode::NotAQuaternion
     );
     if !is_of_rotations {
-        return problem;
+        return fault;
     }
-    Problem {
+    Fault {
         expected: "the four numbers of a quaternion, not all zero, as they were put in or printed"
             .to_owned(),
         hint: "0.5 0.5 0.5 0.5, or with names w: 0.5, x: 0.5, y: 0.5, z: 0.5".to_owned(),
-        ..problem
+        ..fault
     }
 }
 
-fn matrix(text: &str, field: Field) -> Result<Matrix3<f64>, Problem> {
-    let not_a_matrix = |what| {
-        let fault = Fault::not_a_matrix(Span::of_trimmed(text), what);
-        fault.in_field(field)
-    };
-    let text = measured(text, field)?;
+fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
+    let not_a_matrix = |what| Fault::not_a_matrix(Span::of_trimmed(text), what);
+    let text = measured(text)?;
     if let Some(entries) = homogeneous(text) {
         return Ok(entries);
     }
-    match parse_rotation(text, field, ComponentOrder::ScalarFirst) {
+    match parse_rotation(text, ComponentOrder::ScalarFirst) {
         Ok(ParsedRotation::Matrix(entries)) => Ok(entries),
         Ok(other) => Err(not_a_matrix(other.in_words())),
-        Err(problem) if problem.code == ProblemCode::WrongCount => {
-            let Problem { message, span, .. } = problem;
-            Err(Problem {
-                message,
-                span,
-                ..not_a_matrix("")
-            })
-        }
-        Err(problem) => Err(problem),
+        Err(fault) if fault.code == ProblemCode::WrongCount => Err(Fault {
+            message: fault.message,
+            span: fault.span,
+            ..not_a_matrix("")
+        }),
+        Err(fault) => Err(fault),
     }
 }
 
@@ -197,8 +200,6 @@ fn homogeneous(text: &str) -> Option<Matrix3<f64>> {
     is_affine.then(|| Matrix3::from_fn(entry))
 }
 
-fn turn(text: &str) -> Result<Quaternion<f64>, Problem> {
-    let field = Field::RotationVector;
-    let vector_rad = parse_vector(measured(text, field)?, field)?;
-    exponential(vector_rad).map_err(|_| Fault::too_large(Span::of_trimmed(text)).in_field(field))
+fn turn(text: &str) -> Result<Quaternion<f64>, Fault> {
+    exponential(vector_of(text)?).map_err(|_| Fault::too_large(Span::of_trimmed(text)))
 }

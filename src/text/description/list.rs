@@ -8,9 +8,8 @@ use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 use crate::text::grammar::signs::Meanings;
 use crate::text::grammar::tree::{Entry, Lead, Node, NodeKind};
-use crate::text::vocabulary::console;
+use crate::text::vocabulary::Telling;
 use crate::text::vocabulary::constructors::{self, Call};
-use crate::text::vocabulary::declaration;
 
 /// What a list, or a call that only holds or makes a vector, holds.
 pub(crate) fn held<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
@@ -96,16 +95,15 @@ pub(crate) fn check_separators(entries: &[Entry<'_>], span: Span) -> Result<(), 
 }
 
 /// The place of `321` in `321 30 20 10`, which is a sequence with its angles or a quaternion.
-pub(crate) fn sequence_among_numbers(entries: &[Entry<'_>]) -> Option<Span> {
-    let entries = members(entries).ok()?;
-    let [first, ..] = &entries[..] else {
+pub(crate) fn sequence_among_numbers(members: &[Entry<'_>]) -> Option<Span> {
+    let [first, ..] = members else {
         return None;
     };
-    let value = first.node.real().ok().filter(|_| entries.len() == 4)?;
+    let value = first.node.real().ok().filter(|_| members.len() == 4)?;
     let names_axes = (111..=333)
         .filter(|&number| f64::from(number) == value)
         .any(|number: u16| number.to_string().parse::<EulerSequence>().is_ok());
-    let are_named = entries.iter().any(|entry| entry.key.is_some());
+    let are_named = members.iter().any(|entry| entry.key.is_some());
     (names_axes && !are_named).then_some(first.node.span)
 }
 
@@ -119,7 +117,7 @@ pub(crate) struct Written {
 /// The numbers of a text that holds nothing but numbers, brackets and what separates them, with the name
 /// that a console prints before a list.
 pub(crate) fn only_numbers(text: &str) -> Option<Vec<Written>> {
-    let tokens = console::without_list_names(&declaration::tokens(text).ok()?);
+    let tokens = Telling::of(text).ok()?.tokens;
     let mut numbers = Vec::new();
     let mut before: Option<Token<'_>> = None;
     let mut sign: Option<Token<'_>> = None;

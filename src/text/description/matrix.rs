@@ -8,38 +8,40 @@ use crate::text::description::list::{
 };
 use crate::text::description::matrix_columns::LabelKind;
 use crate::text::grammar::tree::{Entry, Lead, Node, NodeKind};
-use crate::text::vocabulary::console;
+use crate::text::vocabulary::Telling;
 use crate::text::vocabulary::constructors::{self, Call};
 use nalgebra::Matrix3;
 
 /// The matrix that members are which nothing but their count or their brackets makes one.
 pub(crate) fn unannounced(
-    entries: &[Entry<'_>],
+    members: &[Entry<'_>],
     span: Span,
 ) -> Result<Option<Matrix3<f64>>, Fault> {
-    let entries = members(entries)?;
-    if entries.iter().any(|entry| entry.key.is_some()) {
+    if members.iter().any(|entry| entry.key.is_some()) {
         return Ok(None);
     }
-    let is_matrix = match rows(&entries) {
+    let is_matrix = match rows(members) {
         Rows::InBrackets => true,
-        Rows::OfLengths(rows) => rows.iter().all(|row| row.len() > 1) && entries.len() > 5,
-        Rows::Unmarked => entries.len() == 9 && entries.iter().all(|entry| is_number(&entry.node)),
+        Rows::OfLengths(rows) => rows.iter().all(|row| row.len() > 1) && members.len() > 5,
+        Rows::Unmarked => members.len() == 9 && members.iter().all(|entry| is_number(&entry.node)),
     };
-    is_matrix.then(|| matrix(&entries, span)).transpose()
+    is_matrix.then(|| of_members(members, span)).transpose()
 }
 
 /// The matrix of members that are announced as one.
 pub(crate) fn matrix(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> {
-    let entries = members(entries)?;
+    of_members(&members(entries)?, span)
+}
+
+fn of_members(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> {
     if let Some(key) = entries.iter().find_map(|entry| entry.key) {
         return Err(Fault::unknown_argument(key.span, key.name));
     }
     let mut numbers = Vec::new();
-    let lengths: Vec<usize> = match rows(&entries) {
+    let lengths: Vec<usize> = match rows(entries) {
         Rows::InBrackets => {
             let mut lengths = Vec::new();
-            for entry in &entries {
+            for entry in entries {
                 let row = held(&entry.node).map_or_else(|| Ok(vec![entry.clone()]), members)?;
                 check_separators(&row, entry.node.span)?;
                 lengths.push(row.len());
@@ -48,13 +50,13 @@ pub(crate) fn matrix(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, 
             lengths
         }
         Rows::OfLengths(rows) => {
-            check_signs(&entries)?;
-            numbers = values(&entries)?;
+            check_signs(entries)?;
+            numbers = values(entries)?;
             rows.iter().map(|row| row.len()).collect()
         }
         Rows::Unmarked => {
-            check_separators(&entries, span)?;
-            numbers = values(&entries)?;
+            check_separators(entries, span)?;
+            numbers = values(entries)?;
             match numbers.len() {
                 9 => vec![3; 3],
                 found => return Err(Fault::matrix_count(span, found)),
@@ -125,23 +127,35 @@ pub(crate) enum RowMarks {
 }
 
 impl RowMarks {
+    /// Those of a text that may be no matrix.
     pub(crate) fn of(text: &str) -> Self {
         if is_too_long(text) {
             return Self::None;
         }
+        match Telling::of(text) {
+            Ok(telling) => Self::among(text, &telling),
+            Err(_) => Self::in_layout(text),
+        }
+    }
+
+    pub(crate) fn among(text: &str, telling: &Telling<'_>) -> Self {
+        // `Float32Array(9) [ … ]` is one list, wherever its lines are broken.
+        if telling.is_one_list {
+            return Self::None;
+        }
+        match LabelKind::of(&telling.tokens) {
+            Some(LabelKind::Axis) => Self::AxisNames,
+            Some(LabelKind::Column | LabelKind::Row) => Self::Lines,
+            None => Self::in_layout(text),
+        }
+    }
+
+    fn in_layout(text: &str) -> Self {
         let has_digits = |line: &&str| line.contains(|c: char| c.is_ascii_digit());
         let lines = text.split(['\n', ';']).filter(has_digits).count();
         let has_three = |part: &&str| part.split_whitespace().count() == 3;
         let between_commas = text.split(',').filter(has_three).count();
-        // `Float32Array(9) [ … ]` is one list, wherever its lines are broken.
-        if console::names_a_list(text) {
-            Self::None
-        } else if let Some(labels) = LabelKind::of(text) {
-            match labels {
-                LabelKind::Axis => Self::AxisNames,
-                LabelKind::Column | LabelKind::Row => Self::Lines,
-            }
-        } else if lines >= 3 || between_commas == 3 {
+        if lines >= 3 || between_commas == 3 {
             Self::Lines
         } else if further_rows(text) >= 2 {
             Self::Brackets

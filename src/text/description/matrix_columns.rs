@@ -8,7 +8,6 @@ use crate::text::description::quaternion;
 use crate::text::grammar;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind, last_segment};
 use crate::text::grammar::nesting::at_depth_zero;
-use crate::text::vocabulary::declaration;
 use crate::text::vocabulary::phrases::{is_mark, is_name};
 use nalgebra::Matrix3;
 
@@ -110,8 +109,7 @@ pub(crate) fn matrix(
 
 impl LabelKind {
     /// What labels mark the vectors of a text that was read as a matrix.
-    pub(crate) fn of(text: &str) -> Option<Self> {
-        let tokens = declaration::tokens(text).ok()?;
+    pub(crate) fn of(tokens: &[Token<'_>]) -> Option<Self> {
         let mut labels = (0..tokens.len()).filter_map(|at| label_ahead(&tokens[at..]));
         let kind = labels.next()?.kind;
         (labels.count() == 2).then_some(kind)

@@ -3,17 +3,20 @@
 // Angles with units to radians.
 pub(crate) mod angle;
 
-// What is announced in words to a rotation.
-pub(crate) mod announced;
-
 // The words before the numbers.
 pub(crate) mod announcement;
 
-// An axis and its angle.
+// The axis of a turn.
 pub(crate) mod axis;
+
+// An axis and an angle.
+pub(crate) mod axis_angle;
 
 // Calls of libraries that make a rotation.
 pub(crate) mod call;
+
+// The numbers behind an announcement.
+pub(crate) mod form;
 
 // Lists of plain numbers.
 pub(crate) mod list;

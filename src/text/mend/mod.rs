@@ -14,8 +14,9 @@ pub(crate) mod typed_numbers;
 pub(crate) mod unit;
 
 use crate::decimal::shortest;
-use crate::problem::Problem;
-use crate::problem::suggestion::Suggestion;
+use crate::problem::Wanted;
+use crate::problem::fault::Fault;
+use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::mend::rewrites::{Rewrite, rewrites};
 use crate::text::mend::typed_numbers::keeps_numbers;
 
@@ -28,47 +29,50 @@ const MOST_STEPS: usize = 6;
 /// Where there are more texts to try, none leads to another place: their number would multiply.
 const MOST_TEXTS_OF_A_STEP: usize = 2;
 
-/// The problem with a suggestion, where there is one; `read` tells how a text is read.
+/// The fault with a suggestion, where there is one; `read` tells how a text is read.
 pub(crate) fn with_suggestion(
-    problem: Problem,
+    fault: Fault,
     text: &str,
-    read: &dyn Fn(&str) -> Result<(), Problem>,
-) -> Problem {
-    if problem.suggestion.is_some() || text.len() > LONGEST_TEXT_BYTES {
-        return problem;
+    wanted: Wanted,
+    read: &dyn Fn(&str) -> Result<(), Fault>,
+) -> Fault {
+    if fault.suggestion.is_some() || text.len() > LONGEST_TEXT_BYTES {
+        return fault;
     }
-    let suggestion = rewrites(problem.code)
+    let suggestion = rewrites(fault.code)
         .iter()
+        // No vector has such a part.
+        .filter(|(remedy, _)| wanted != Wanted::Vector || *remedy != Remedy::RotationPart)
         .find_map(|&(remedy, rewrite)| {
-            let rewritten = mended(&problem, text, rewrite, read, MOST_STEPS)?;
+            let rewritten = mended(&fault, text, rewrite, read, MOST_STEPS)?;
             let suggestion = Suggestion {
                 remedy,
                 text: rewritten,
             };
             keeps_numbers(text, &suggestion).then(|| Box::new(suggestion))
         });
-    Problem {
+    Fault {
         suggestion,
-        ..problem
+        ..fault
     }
 }
 
 /// The only text that is read, mending the same kind of problem place by place; `None` where several
 /// are.
 fn mended(
-    problem: &Problem,
+    fault: &Fault,
     text: &str,
     rewrite: Rewrite,
-    read: &dyn Fn(&str) -> Result<(), Problem>,
+    read: &dyn Fn(&str) -> Result<(), Fault>,
     steps: usize,
 ) -> Option<String> {
-    let is_mended_so = |next: &Problem| {
+    let is_mended_so = |next: &Fault| {
         let mut same = rewrites(next.code).iter().map(|&(remedy, _)| remedy);
-        rewrites(problem.code)
+        rewrites(fault.code)
             .iter()
             .any(|&(remedy, _)| same.any(|other| other == remedy))
     };
-    let candidates = rewrite(problem, text);
+    let candidates = rewrite(fault, text);
     let goes_on = steps > 1 && candidates.len() <= MOST_TEXTS_OF_A_STEP;
     let mut found = candidates
         .into_iter()

@@ -2,15 +2,16 @@
 
 use crate::character::is_space_of_numbers;
 use crate::character::{decorates, plain_character};
+use crate::problem::ProblemCode;
+use crate::problem::fault::Fault;
 use crate::problem::suggestion::Remedy;
-use crate::problem::{Field, Problem, ProblemCode};
 use crate::text::description::list::{Written, only_numbers};
 use crate::text::description::matrix::RowMarks;
 use crate::text::grammar::arithmetic::Linear;
 use nalgebra::Matrix3;
 
 /// The texts to try, of a text and its problem.
-pub(crate) type Rewrite = fn(&Problem, &str) -> Vec<String>;
+pub(crate) type Rewrite = fn(&Fault, &str) -> Vec<String>;
 
 pub(crate) const fn rewrites(code: ProblemCode) -> &'static [(Remedy, Rewrite)] {
     match code {
@@ -43,8 +44,8 @@ pub(crate) const fn rewrites(code: ProblemCode) -> &'static [(Remedy, Rewrite)] 
 }
 
 /// The text with something else at the place of the problem; nothing where the place is none of it.
-fn at_place(problem: &Problem, text: &str, replacement: &str) -> Vec<String> {
-    let place = problem.span.start..problem.span.end;
+fn at_place(fault: &Fault, text: &str, replacement: &str) -> Vec<String> {
+    let place = fault.span.start..fault.span.end;
     match (text.get(..place.start), text.get(place.end..)) {
         (Some(before), Some(after)) => vec![[before, replacement, after].concat()],
         _ => Vec::new(),
@@ -55,14 +56,12 @@ const PAIRS: [(char, char); 4] = [('(', ')'), ('[', ']'), ('{', '}'), ('<', '>')
 
 /// A bracket around a list may be closed at its end, or taken away. What it encloses of a product or
 /// of the argument of a function, only its writer knows.
-fn matched_brackets(problem: &Problem, text: &str) -> Vec<String> {
-    let (Some(before), Some(from)) = (
-        text.get(..problem.span.start),
-        text.get(problem.span.start..),
-    ) else {
+fn matched_brackets(fault: &Fault, text: &str) -> Vec<String> {
+    let (Some(before), Some(from)) = (text.get(..fault.span.start), text.get(fault.span.start..))
+    else {
         return Vec::new();
     };
-    if problem.code == ProblemCode::UnclosedBracket {
+    if fault.code == ProblemCode::UnclosedBracket {
         let open = from.chars().next();
         let pair = PAIRS.iter().find(|(opening, _)| Some(*opening) == open);
         let encloses_list = from.contains(',') || !from.contains(is_factor);
@@ -81,14 +80,14 @@ fn matched_brackets(problem: &Problem, text: &str) -> Vec<String> {
         }
     }
     if let Some(closing) = open.last() {
-        return at_place(problem, text, &closing.to_string());
+        return at_place(fault, text, &closing.to_string());
     }
-    let after = text.get(problem.span.end..).unwrap_or_default();
+    let after = text.get(fault.span.end..).unwrap_or_default();
     let is_list = before.contains(',') || !before.contains(['i', 'j', 'k']);
     let is_plain =
         is_list || !(before.trim_start().starts_with(is_sign) || before.contains(['*', '·', '×']));
     if is_plain && !after.trim_start().starts_with(is_factor) {
-        return at_place(problem, text, "");
+        return at_place(fault, text, "");
     }
     Vec::new()
 }
@@ -113,7 +112,7 @@ fn is_factor(character: char) -> bool {
 }
 
 /// Spaces that may group the digits of a number are not rewritten where they can be meant so.
-fn plain_characters(_: &Problem, text: &str) -> Vec<String> {
+fn plain_characters(_: &Fault, text: &str) -> Vec<String> {
     if groups_digits(text, is_space_of_numbers).contains(&true) {
         return Vec::new();
     }
@@ -138,15 +137,15 @@ fn groups_digits(text: &str, is_mark: fn(char) -> bool) -> Vec<bool> {
 
 /// Only a mark that decorates: what may be an operator, a dash or a number that is left out tells
 /// something. Not where it touches a word or a number either: it may change it, as in `0.9$`.
-fn without_mark(problem: &Problem, text: &str) -> Vec<String> {
+fn without_mark(fault: &Fault, text: &str) -> Vec<String> {
     let stands_apart = |neighbour: Option<char>| {
         neighbour
             .is_none_or(|character| character.is_whitespace() || ",;()[]{}".contains(character))
     };
     let (Some(before), Some(mark), Some(after)) = (
-        text.get(..problem.span.start),
-        text.get(problem.span.start..problem.span.end),
-        text.get(problem.span.end..),
+        text.get(..fault.span.start),
+        text.get(fault.span.start..fault.span.end),
+        text.get(fault.span.end..),
     ) else {
         return Vec::new();
     };
@@ -159,7 +158,7 @@ fn without_mark(problem: &Problem, text: &str) -> Vec<String> {
 }
 
 /// A minus behind the last number may be its own: `0.5-` is −0.5 in some programs.
-fn without_last_mark(_: &Problem, text: &str) -> Vec<String> {
+fn without_last_mark(_: &Fault, text: &str) -> Vec<String> {
     let bare = text
         .trim_end()
         .trim_end_matches(|c: char| "+-−–*/·×÷√".contains(c) || c.is_whitespace());
@@ -173,7 +172,7 @@ fn without_last_mark(_: &Problem, text: &str) -> Vec<String> {
 }
 
 /// A comma between two digits, without a space, becomes a point; not where it can part thousands.
-fn decimal_points(_: &Problem, text: &str) -> Vec<String> {
+fn decimal_points(_: &Fault, text: &str) -> Vec<String> {
     // One that cannot part thousands tells what all of them are.
     let groups = groups_digits(text, |character| character == ',');
     if groups.iter().all(|&is_group| is_group) {
@@ -188,13 +187,13 @@ fn decimal_points(_: &Problem, text: &str) -> Vec<String> {
 }
 
 /// A sign before the first number may be the dash of a list, which is no sign.
-fn attached_sign(problem: &Problem, text: &str) -> Vec<String> {
-    let before = text.get(..problem.span.start).map(str::trim_end);
-    let sign = text.get(problem.span.start..problem.span.end);
-    let after = text.get(problem.span.end..);
+fn attached_sign(fault: &Fault, text: &str) -> Vec<String> {
+    let before = text.get(..fault.span.start).map(str::trim_end);
+    let sign = text.get(fault.span.start..fault.span.end);
+    let after = text.get(fault.span.end..);
     match (before, sign, after) {
         (Some(before), Some(sign @ ("-" | "−" | "–" | "+")), Some(after))
-            if before.len() < problem.span.start
+            if before.len() < fault.span.start
                 && before.ends_with(|c: char| c.is_alphanumeric() || c == '.') =>
         {
             vec![format!("{before} {sign}{}", after.trim_start())]
@@ -204,8 +203,8 @@ fn attached_sign(problem: &Problem, text: &str) -> Vec<String> {
 }
 
 /// A space before the sign between two numbers.
-fn separated_numbers(problem: &Problem, text: &str) -> Vec<String> {
-    let Some(written) = text.get(problem.span.start..problem.span.end) else {
+fn separated_numbers(fault: &Fault, text: &str) -> Vec<String> {
+    let Some(written) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
     let is_between = |(at, sign): &(usize, char)| {
@@ -216,20 +215,17 @@ fn separated_numbers(problem: &Problem, text: &str) -> Vec<String> {
         .find(is_between)
         .map(|(at, _)| format!("{} {}", &written[..at], &written[at..]));
     separated
-        .map(|separated| at_place(problem, text, &separated))
+        .map(|separated| at_place(fault, text, &separated))
         .unwrap_or_default()
 }
 
 /// Only before a term with a unit: a number in brackets may be anything.
-fn added_sign(problem: &Problem, text: &str) -> Vec<String> {
-    let term = text.get(problem.span.start..problem.span.end);
+fn added_sign(fault: &Fault, text: &str) -> Vec<String> {
+    let term = text.get(fault.span.start..fault.span.end);
     if !term.is_some_and(|term| term.contains(['i', 'j', 'k']) && !term.contains('(')) {
         return Vec::new();
     }
-    let (before, after) = match (
-        text.get(..problem.span.start),
-        text.get(problem.span.start..),
-    ) {
+    let (before, after) = match (text.get(..fault.span.start), text.get(fault.span.start..)) {
         (Some(before), Some(after)) => (before.trim_end().trim_end_matches(',').trim_end(), after),
         _ => return Vec::new(),
     };
@@ -244,9 +240,9 @@ fn added_sign(problem: &Problem, text: &str) -> Vec<String> {
 }
 
 /// The numbers of a text of twelve or sixteen: the three by three on the left of the first three rows,
-/// as they are written. Of words and computations nothing is taken, and no vector has such a part.
-fn rotation_part(problem: &Problem, text: &str) -> Vec<String> {
-    let Some(numbers) = only_numbers(text).filter(|_| problem.field != Field::Vector) else {
+/// as they are written. Of words and computations nothing is taken.
+fn rotation_part(_: &Fault, text: &str) -> Vec<String> {
+    let Some(numbers) = only_numbers(text) else {
         return Vec::new();
     };
     let last_row: Vec<f64> = numbers.iter().skip(12).map(|number| number.value).collect();
@@ -281,7 +277,7 @@ const NEARLY_ORTHONORMAL: f64 = 0.05;
 
 /// Only what is missing can be added: a name that stands there would stand there twice. The scalar is
 /// none of them, since 0 is half a turn.
-fn added_zeros(_: &Problem, text: &str) -> Vec<String> {
+fn added_zeros(_: &Fault, text: &str) -> Vec<String> {
     const MISSING: [&[&str]; 13] = [
         &["x"],
         &["y"],
@@ -319,31 +315,31 @@ fn added_zeros(_: &Problem, text: &str) -> Vec<String> {
         .collect()
 }
 
-fn named_number(problem: &Problem, text: &str) -> Vec<String> {
-    let Some(number) = text.get(problem.span.start..problem.span.end) else {
+fn named_number(fault: &Fault, text: &str) -> Vec<String> {
+    let Some(number) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
     let mark = if text.contains('=') { "=" } else { ": " };
     ["w", "x", "y", "z"]
         .into_iter()
-        .flat_map(|name| at_place(problem, text, &format!("{name}{mark}{number}")))
+        .flat_map(|name| at_place(fault, text, &format!("{name}{mark}{number}")))
         .collect()
 }
 
-fn same_unit(problem: &Problem, text: &str) -> Vec<String> {
-    let Some(angle) = text.get(problem.span.start..problem.span.end) else {
+fn same_unit(fault: &Fault, text: &str) -> Vec<String> {
+    let Some(angle) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
     ["deg", "rad"]
         .into_iter()
-        .flat_map(|unit| at_place(problem, text, &format!("{angle}{unit}")))
+        .flat_map(|unit| at_place(fault, text, &format!("{angle}{unit}")))
         .collect()
 }
 
-fn zero_at_place(problem: &Problem, text: &str) -> Vec<String> {
-    at_place(problem, text, "0")
+fn zero_at_place(fault: &Fault, text: &str) -> Vec<String> {
+    at_place(fault, text, "0")
 }
 
-fn identity(_: &Problem, _: &str) -> Vec<String> {
+fn identity(_: &Fault, _: &str) -> Vec<String> {
     vec!["w=1 x=0 y=0 z=0".to_owned()]
 }

@@ -2,7 +2,6 @@
 
 use crate::text::grammar::MAX_DEPTH;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
-use crate::text::vocabulary::declaration;
 
 /// Names before the length of a list, as Node and browsers print them: typed arrays, arrays, and the
 /// classes of vectors and matrices that extend them (gl-matrix, OGL, math.gl).
@@ -50,12 +49,9 @@ pub(crate) fn without_list_names<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
     bare
 }
 
-/// Whether a console printed a text as one list of numbers, by its name and length.
-pub(crate) fn names_a_list(text: &str) -> bool {
-    let is_named = |tokens: Vec<Token<'_>>| {
-        (0..tokens.len()).any(|at| list_name_ahead(&tokens[at..]).is_some())
-    };
-    declaration::tokens(text).is_ok_and(is_named)
+/// Whether among tokens are the name and the length that a console prints before a list.
+pub(crate) fn names_a_list(tokens: &[Token<'_>]) -> bool {
+    (0..tokens.len()).any(|at| list_name_ahead(&tokens[at..]).is_some())
 }
 
 /// How many tokens at the start are the name and the length of the list that follows.

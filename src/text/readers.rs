@@ -1,0 +1,176 @@
+//! Tokens to a rotation: the words are asked first which description it is, then a table of readers.
+
+use crate::convention::{ComponentOrder, OrderSource};
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::text::description::list::{members, sequence_among_numbers};
+use crate::text::description::members::component;
+use crate::text::description::settings::{Settings, without_settings};
+use crate::text::description::wording::{Spoken, spoken};
+use crate::text::description::{
+    ParsedRotation, axis_angle, call, form, matrix, matrix_columns, parts, quaternion,
+};
+use crate::text::grammar;
+use crate::text::grammar::lex::Token;
+use crate::text::grammar::tree::{Entry, NodeKind};
+use crate::text::vocabulary::phrases::Form;
+
+/// What members are read as; `None` where they are something else.
+type Reader = fn(&Members<'_>) -> Result<Option<ParsedRotation>, Fault>;
+
+/// The readers in the order in which they are asked. What none of them knows is a quaternion.
+const READERS: [Reader; 5] = [
+    angle_beside_axis,
+    no_sequence_without_word,
+    call,
+    matrix,
+    no_word_that_is_not_known,
+];
+
+/// The members of a text.
+struct Members<'t> {
+    /// As they were written.
+    written: Vec<Entry<'t>>,
+    /// Without the brackets around all of them, and without what changes no number.
+    bare: Result<Vec<Entry<'t>>, Fault>,
+    span: Span,
+    /// Whether words before them announced a description.
+    is_announced: bool,
+}
+
+/// What the words of a text make of it.
+enum ByWords<'s, 't> {
+    /// Angles, with what is said of their unit already used.
+    Rotation(ParsedRotation),
+    /// What has no unit.
+    WithoutUnit(ParsedRotation),
+    /// Nothing: these are left for the readers.
+    Numbers(&'s [Token<'t>]),
+}
+
+/// The rotation that the tokens of a text are; `declared` is the order of a quaternion's numbers where
+/// nothing tells it.
+pub(crate) fn rotation(
+    tokens: &[Token<'_>],
+    text: &str,
+    span: Span,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Fault> {
+    let (tokens, settings) = without_settings(tokens)?;
+    let numbers = match by_words(&tokens, text, span, &settings)? {
+        ByWords::Rotation(rotation) => {
+            settings.check_order(None)?;
+            return Ok(rotation);
+        }
+        ByWords::WithoutUnit(rotation) => {
+            settings.check_no_unit()?;
+            settings.check_order(None)?;
+            return Ok(rotation);
+        }
+        ByWords::Numbers(numbers) => numbers,
+    };
+    let written = grammar::entries(numbers)?;
+    let members = Members {
+        bare: members(&written),
+        written,
+        span,
+        is_announced: numbers.len() < tokens.len(),
+    };
+    for read in READERS {
+        if let Some(rotation) = read(&members)? {
+            settings.check_no_unit()?;
+            settings.check_order(None)?;
+            return Ok(rotation);
+        }
+    }
+    settings.check_no_unit()?;
+    let told = settings.order.map(|(order, _)| order);
+    let quaternion = quaternion::quaternion(&members.written, span, declared, told)?;
+    // Names have no order that another could contradict.
+    if quaternion.order_source != OrderSource::Named {
+        settings.check_order(Some(quaternion.order))?;
+    }
+    Ok(ParsedRotation::Quaternion(quaternion))
+}
+
+fn by_words<'s, 't>(
+    tokens: &'s [Token<'t>],
+    text: &'t str,
+    span: Span,
+    settings: &Settings<'t>,
+) -> Result<ByWords<'s, 't>, Fault> {
+    let unit = settings.unit.map(|(unit, _)| unit);
+    Ok(match spoken(tokens, text) {
+        Spoken::About {
+            before,
+            word,
+            after,
+        } => ByWords::Rotation(axis_angle::about(before, word, after, unit)?),
+        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
+        Spoken::Several(second) => return Err(Fault::several_values(second)),
+        Spoken::Parts(labels, parts) => {
+            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
+            ByWords::Rotation(parts::rotation(&parts, &announcement, span)?)
+        }
+        Spoken::Vectors(vectors) => {
+            let matrix = matrix_columns::matrix(&vectors, span)?;
+            ByWords::WithoutUnit(ParsedRotation::Matrix(matrix))
+        }
+        Spoken::Announced(announcement, rest) => match announcement.form {
+            Some(Form::Quaternion) | None => ByWords::Numbers(rest),
+            Some(form) => {
+                let announcement = announcement
+                    .with_unit(unit)?
+                    .with_sequence(settings.sequence)?;
+                ByWords::Rotation(form::rotation(&announcement, form, rest, text)?)
+            }
+        },
+        Spoken::Nothing => ByWords::Numbers(tokens),
+    })
+}
+
+fn angle_beside_axis(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
+    match &members.bare {
+        Ok(bare) if !members.is_announced => axis_angle::beside(bare),
+        _ => Ok(None),
+    }
+}
+
+/// Refuses `321 30 20 10`, which is a sequence with its angles or a quaternion.
+fn no_sequence_without_word(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
+    let bare = members.bare.as_ref().ok();
+    let bare = bare.filter(|_| !members.is_announced);
+    match bare.and_then(|bare| sequence_among_numbers(bare)) {
+        Some(first) => Err(Fault::sequence_or_number(first)),
+        None => Ok(None),
+    }
+}
+
+fn call(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
+    call::rotation(&members.written)
+}
+
+/// Nine numbers, perhaps under names of the whole, as in `R = [[…], […], […]]`, and in the braces
+/// around such names: `{"pose": {"R": [[…], […], […]]}}`.
+fn matrix(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
+    let mut bare = members.bare.clone()?;
+    while let Some(first) = bare.first_mut()
+        && first.key.is_some_and(|key| component(key.name).is_none())
+    {
+        first.key = None;
+        bare = self::members(&bare)?;
+    }
+    let matrix = matrix::unannounced(&bare, members.span)?;
+    Ok(matrix.map(ParsedRotation::Matrix))
+}
+
+/// Refuses a word before numbers that announces nothing.
+fn no_word_that_is_not_known(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
+    match &members.written[..] {
+        [first, _, ..] if first.key.is_none() => match first.node.kind {
+            NodeKind::Word(word) => Err(Fault::unknown_keyword(first.node.span, word)),
+            _ => Ok(None),
+        },
+        _ => Ok(None),
+    }
+}

@@ -6,10 +6,9 @@ use crate::reference::{
     hamilton, logarithm, sigma, slope, tau, turns, unit, unskew,
 };
 use crate::support::{all_conventions, assert_close};
-use quatlas::Survivor;
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
-    Convention, EulerFrame, EulerSequence, MatrixConvention, Rotation, TaggedQuaternion,
+    Convention, EulerFrame, EulerSequence, MatrixConvention, Rotation, Survivor, TaggedQuaternion,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 use wasm_bindgen_test::wasm_bindgen_test;

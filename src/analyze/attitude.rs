@@ -19,7 +19,9 @@ use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::text::mend::unit::{self, UnitTexts};
 use crate::text::mend::with_suggestion;
-use crate::text::{ParsedQuaternion, ParsedRotation, RowMarks, parse_rotation, read_rotation};
+use crate::text::{
+    ParsedQuaternion, ParsedRotation, RotationText, RowMarks, parse_rotation, read_rotation,
+};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
@@ -39,6 +41,8 @@ pub(crate) struct Attitude {
     pub(crate) unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
+    /// Whether anything in the text can be a word or a unit.
+    has_words: bool,
     pub(crate) declared: Convention,
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
@@ -53,12 +57,13 @@ impl Attitude {
             let read = |candidate: &str| read(candidate).map(drop);
             with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
         })?;
+        if attitude.unit.is_some() || !attitude.has_words {
+            return Ok(attitude);
+        }
         let is_read = |text: &str| read(text).is_ok();
+        let texts = unit::inside_functions(text, &is_read);
         Ok(Self {
-            unit: attitude.unit.clone().or_else(|| {
-                let texts = unit::inside_functions(text, &is_read)?;
-                Some(unit_assumed(AngleUnit::Radians, texts))
-            }),
+            unit: texts.map(|texts| unit_assumed(AngleUnit::Radians, texts)),
             ..attitude
         })
     }
@@ -66,10 +71,17 @@ impl Attitude {
     fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
         let Declared { convention, matrix } = declared;
         let span = Span::of_trimmed(text);
-        let (parsed, row_marks) = read_rotation(text, convention.order)?;
+        let RotationText {
+            rotation: parsed,
+            row_marks,
+            has_words,
+        } = read_rotation(text, convention.order)?;
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
-                return Self::of_quaternion(parsed, convention, span);
+                return Ok(Self {
+                    has_words,
+                    ..Self::of_quaternion(parsed, convention, span)?
+                });
             }
             ParsedRotation::AxisAngle(parsed) => {
                 let read = ReadAxisAngle {
@@ -142,6 +154,7 @@ impl Attitude {
                 _ => None,
             },
             row_marks: is_matrix.then_some(row_marks),
+            has_words,
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
@@ -166,6 +179,7 @@ impl Attitude {
             parsed: Some(parsed),
             unit: None,
             row_marks: None,
+            has_words: true,
             declared,
             tagged,
             rotation,

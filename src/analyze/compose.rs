@@ -7,7 +7,7 @@
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::describe::turn;
 use crate::analyze::plain::{coordinates, rows3};
-use crate::analyze::vector::{note_of_vector, vector_of_text};
+use crate::analyze::vector::TypedVector;
 use crate::contract::request::ComposeRequest;
 use crate::contract::{
     Components, ComposeReport, Fact, Frame, Note, Operand, OrderMatters, OutOfRange,
@@ -33,7 +33,7 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
     };
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);
-    let vector = vector_of_text(&request.vector);
+    let vector = TypedVector::of_text(&request.vector);
     let (p, q, vector) = match (p, q, vector) {
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => {
@@ -43,11 +43,12 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
                 .collect());
         }
     };
+    let TypedVector { vector, note } = vector;
     let composition = composition(&p, &q, vector);
 
     let mut notes = p.notes(Field::P);
     notes.extend(q.notes(Field::Q));
-    notes.extend(note_of_vector(&request.vector));
+    notes.extend(note);
     notes.extend(composition.out_of_range.map(|out_of_range| Note {
         field: Field::P,
         fact: Fact::OutOfRange(out_of_range),

@@ -3,7 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::describe::{euler, rules, turn};
 use crate::analyze::plain::coordinates;
-use crate::analyze::vector::{note_of_vector, vector_of_text};
+use crate::analyze::vector::TypedVector;
 use crate::contract::request::ReadRequest;
 use crate::contract::{Components, Fact, Note, OutOfRange, OutOfRangeNumber, ReadReport};
 use crate::convention::Convention;
@@ -15,7 +15,7 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         matrix: request.matrix,
     };
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
-    let vector = vector_of_text(&request.vector);
+    let vector = TypedVector::of_text(&request.vector);
     let (attitude, vector) = match (attitude, vector) {
         (Ok(attitude), Ok(vector)) => (attitude, vector),
         (attitude, vector) => {
@@ -26,8 +26,9 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
         }
     };
 
+    let TypedVector { vector, note } = vector;
     let mut notes = attitude.notes(Field::Quaternion);
-    notes.extend(note_of_vector(&request.vector));
+    notes.extend(note);
     // Small turns are on the declared axes in both columns.
     let perturbed = |preset: Convention| Convention {
         perturbation: request.convention.perturbation,

@@ -150,21 +150,30 @@ use nalgebra::Vector3;
 /// # Ok::<(), quatlas::Fault>(())
 /// ```
 pub fn parse_rotation(text: &str, declared: ComponentOrder) -> Result<ParsedRotation, Fault> {
-    read_rotation(text, declared).map(|(rotation, _)| rotation)
+    read_rotation(text, declared).map(|read| read.rotation)
 }
 
-/// The same, and what marks the rows if it is a matrix.
-pub(crate) fn read_rotation(
-    text: &str,
-    declared: ComponentOrder,
-) -> Result<(ParsedRotation, RowMarks), Fault> {
+/// What a text holds that holds a rotation.
+pub(crate) struct RotationText {
+    pub(crate) rotation: ParsedRotation,
+    /// What marks the rows of a matrix.
+    pub(crate) row_marks: RowMarks,
+    /// Whether anything in it can be a word or a unit.
+    pub(crate) has_words: bool,
+}
+
+/// The rotation that a text holds, and what else it tells.
+pub(crate) fn read_rotation(text: &str, declared: ComponentOrder) -> Result<RotationText, Fault> {
     let (telling, span) = telling(text, Wanted::Quaternion)?;
-    let rotation = rotation(&telling.tokens, text, span, declared)?;
-    let row_marks = match rotation {
-        ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
-        _ => RowMarks::None,
-    };
-    Ok((rotation, row_marks))
+    let rotation = rotation(&telling, text, span, declared)?;
+    Ok(RotationText {
+        row_marks: match rotation {
+            ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
+            _ => RowMarks::None,
+        },
+        has_words: telling.has_words,
+        rotation,
+    })
 }
 
 /// The quaternion that a text holds.
@@ -218,8 +227,23 @@ pub fn parse_quaternion(text: &str, declared: ComponentOrder) -> Result<ParsedQu
 /// # Ok::<(), quatlas::Fault>(())
 /// ```
 pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
+    read_vector(text).map(|read| read.vector)
+}
+
+/// What a text holds that holds a vector.
+pub(crate) struct VectorText {
+    pub(crate) vector: Vector3<f64>,
+    /// Whether anything in it can be a word or a unit.
+    pub(crate) has_words: bool,
+}
+
+/// The vector that a text holds, and what else it tells.
+pub(crate) fn read_vector(text: &str) -> Result<VectorText, Fault> {
     let (telling, span) = telling(text, Wanted::Vector)?;
-    quaternion::vector(&grammar::entries(&telling.tokens)?, span)
+    Ok(VectorText {
+        vector: quaternion::vector(&grammar::entries(&telling.tokens)?, span)?,
+        has_words: telling.has_words,
+    })
 }
 
 /// The tokens of a text, and its place without the space around it.

@@ -1,4 +1,5 @@
-//! Tokens to a rotation: the words are asked first which description it is, then a table of readers.
+//! Tokens to a rotation: the words, where there are any, are asked first which description it is, then
+//! a table of readers.
 
 use crate::convention::{ComponentOrder, OrderSource};
 use crate::problem::Span;
@@ -13,19 +14,29 @@ use crate::text::description::{
 use crate::text::grammar;
 use crate::text::grammar::lex::Token;
 use crate::text::grammar::tree::{Entry, NodeKind};
+use crate::text::vocabulary::Telling;
 use crate::text::vocabulary::phrases::Form;
 
 /// What members are read as; `None` where they are something else.
 type Reader = fn(&Members<'_>) -> Result<Option<ParsedRotation>, Fault>;
 
-/// The readers in the order in which they are asked. What none of them knows is a quaternion.
-const READERS: [Reader; 5] = [
-    angle_beside_axis,
-    no_sequence_without_word,
-    call,
-    matrix,
-    no_word_that_is_not_known,
+/// The readers in the order in which they are asked; two know only what stands beside words or units.
+/// What none of them knows is a quaternion.
+const READERS: [(Asked, Reader); 5] = [
+    (Asked::OfWords, angle_beside_axis),
+    (Asked::Always, no_sequence_without_word),
+    (Asked::OfWords, call),
+    (Asked::Always, matrix),
+    (Asked::OfWords, no_word_that_is_not_known),
 ];
+
+/// When a reader is asked.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Asked {
+    Always,
+    /// Where there is a word or a unit.
+    OfWords,
+}
 
 /// The members of a text.
 struct Members<'t> {
@@ -34,8 +45,30 @@ struct Members<'t> {
     /// Without the brackets around all of them, and without what changes no number.
     bare: Result<Vec<Entry<'t>>, Fault>,
     span: Span,
-    /// Whether words before them announced a description.
-    is_announced: bool,
+    said: Said,
+}
+
+/// What words said of members.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Said {
+    /// There are none.
+    Nothing,
+    /// Not which description they are.
+    NotADescription,
+    /// That they are a quaternion.
+    Quaternion,
+}
+
+impl<'t> Members<'t> {
+    fn of(tokens: &[Token<'t>], span: Span, said: Said) -> Result<Self, Fault> {
+        let written = grammar::entries(tokens)?;
+        Ok(Self {
+            bare: members(&written),
+            written,
+            span,
+            said,
+        })
+    }
 }
 
 /// What the words of a text make of it.
@@ -51,41 +84,66 @@ enum ByWords<'s, 't> {
 /// The rotation that the tokens of a text are; `declared` is the order of a quaternion's numbers where
 /// nothing tells it.
 pub(crate) fn rotation(
-    tokens: &[Token<'_>],
+    telling: &Telling<'_>,
     text: &str,
     span: Span,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
-    let (tokens, settings) = without_settings(tokens)?;
-    let numbers = match by_words(&tokens, text, span, &settings)? {
+    if !telling.has_words {
+        let members = Members::of(&telling.tokens, span, Said::Nothing)?;
+        return by_members(&members, None, declared);
+    }
+    let (tokens, settings) = without_settings(&telling.tokens)?;
+    match by_words(&tokens, text, span, &settings)? {
         ByWords::Rotation(rotation) => {
             settings.check_order(None)?;
-            return Ok(rotation);
+            Ok(rotation)
         }
         ByWords::WithoutUnit(rotation) => {
             settings.check_no_unit()?;
             settings.check_order(None)?;
-            return Ok(rotation);
+            Ok(rotation)
         }
-        ByWords::Numbers(numbers) => numbers,
-    };
-    let written = grammar::entries(numbers)?;
-    let members = Members {
-        bare: members(&written),
-        written,
-        span,
-        is_announced: numbers.len() < tokens.len(),
-    };
-    for read in READERS {
-        if let Some(rotation) = read(&members)? {
-            settings.check_no_unit()?;
-            settings.check_order(None)?;
+        ByWords::Numbers(numbers) => {
+            let said = if numbers.len() < tokens.len() {
+                Said::Quaternion
+            } else {
+                Said::NotADescription
+            };
+            by_members(
+                &Members::of(numbers, span, said)?,
+                Some(&settings),
+                declared,
+            )
+        }
+    }
+}
+
+fn by_members(
+    members: &Members<'_>,
+    settings: Option<&Settings<'_>>,
+    declared: ComponentOrder,
+) -> Result<ParsedRotation, Fault> {
+    for (asked, read) in READERS {
+        if members.said == Said::Nothing && asked == Asked::OfWords {
+            continue;
+        }
+        if let Some(rotation) = read(members)? {
+            if let Some(settings) = settings {
+                settings.check_no_unit()?;
+                settings.check_order(None)?;
+            }
             return Ok(rotation);
         }
     }
+    let Members { written, span, .. } = members;
+    let Some(settings) = settings else {
+        let quaternion = quaternion::quaternion(written, *span, declared, None)?;
+        return Ok(ParsedRotation::Quaternion(quaternion));
+    };
     settings.check_no_unit()?;
     let told = settings.order.map(|(order, _)| order);
-    let quaternion = quaternion::quaternion(&members.written, span, declared, told)?;
+    let quaternion = quaternion::quaternion(written, *span, declared, told)?;
     // Names have no order that another could contradict.
     if quaternion.order_source != OrderSource::Named {
         settings.check_order(Some(quaternion.order))?;
@@ -131,7 +189,7 @@ fn by_words<'s, 't>(
 
 fn angle_beside_axis(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
     match &members.bare {
-        Ok(bare) if !members.is_announced => axis_angle::beside(bare),
+        Ok(bare) if members.said != Said::Quaternion => axis_angle::beside(bare),
         _ => Ok(None),
     }
 }
@@ -139,7 +197,7 @@ fn angle_beside_axis(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fa
 /// Refuses `321 30 20 10`, which is a sequence with its angles or a quaternion.
 fn no_sequence_without_word(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
     let bare = members.bare.as_ref().ok();
-    let bare = bare.filter(|_| !members.is_announced);
+    let bare = bare.filter(|_| members.said != Said::Quaternion);
     match bare.and_then(|bare| sequence_among_numbers(bare)) {
         Some(first) => Err(Fault::sequence_or_number(first)),
         None => Ok(None),

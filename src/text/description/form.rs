@@ -19,10 +19,10 @@ use crate::text::description::{
 };
 use crate::text::grammar;
 use crate::text::grammar::arithmetic::Linear;
-use crate::text::grammar::lex::{Token, TokenKind};
+use crate::text::grammar::lex::{self, Token, TokenKind};
 use crate::text::grammar::nesting::inside;
 use crate::text::vocabulary::constructors::is_derived_label;
-use crate::text::vocabulary::declaration;
+use crate::text::vocabulary::declaration::without_words;
 use crate::text::vocabulary::phrases::Form;
 
 /// What follows an announcement, as the description that it announces.
@@ -124,7 +124,8 @@ fn quoted<'t>(tokens: &[Token<'_>], text: &'t str) -> Result<Option<Vec<Token<'t
     match tokens {
         [only] if only.kind == TokenKind::Quoted => {
             let inside = Span::from(only.span.start + 1..only.span.end - 1);
-            declaration::tokens_within(text, inside).map(Some)
+            let tokens = lex::tokens_within(text, inside)?;
+            Ok(Some(without_words(&tokens)))
         }
         _ => Ok(None),
     }

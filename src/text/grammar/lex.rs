@@ -104,6 +104,10 @@ pub(crate) fn last_segment(path: &str) -> &str {
     path.rsplit([':', '.']).next().unwrap_or(path)
 }
 
+pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
+    tokens_within(text, Span::from(0..text.len()))
+}
+
 /// The tokens of a part of a text, with their places in the whole.
 pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
     let text = &whole[..part.end];

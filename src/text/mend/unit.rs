@@ -10,7 +10,7 @@ use crate::text::grammar::arithmetic::{Linear, Quantity};
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 use crate::text::grammar::nesting::{closed, inside};
 use crate::text::grammar::tree::Entry;
-use crate::text::vocabulary::declaration;
+use crate::text::vocabulary::Telling;
 
 /// A text with the word for either unit; absent where there is no plain place for it.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub(crate) fn inside_functions(text: &str, is_read: &dyn Fn(&str) -> bool) -> Op
     if !["sin", "cos", "tan"].iter().any(|name| text.contains(name)) {
         return None;
     }
-    let tokens = declaration::tokens(text).ok()?;
+    let tokens = Telling::of(text).ok()?.tokens;
     let bare: Vec<Argument> = (0..tokens.len())
         .filter_map(|at| bare_argument(&tokens[at..]))
         .collect();

@@ -1,8 +1,6 @@
 //! Words of a declaration, which say nothing about its numbers.
 
-use crate::problem::Span;
-use crate::problem::fault::Fault;
-use crate::text::grammar::lex::{self, Bracket, Token, TokenKind};
+use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 
 const WORDS: [&str; 8] = [
     "auto",
@@ -18,21 +16,11 @@ const WORDS: [&str; 8] = [
 /// How many tokens after its first words a declaration is looked for its equals sign.
 const LONGEST_DECLARATION: usize = 64;
 
-/// The tokens of a text without the words of a declaration.
-pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
-    tokens_within(text, Span::from(0..text.len()))
-}
-
-/// The same of a part of a text, with their places in the whole.
-pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
-    lex::tokens_within(whole, part).map(|tokens| without_words(&tokens))
-}
-
 /// The tokens without `const auto` in `const auto q = …` and without `new` in `new Quaternion(…)`.
 ///
 /// Only where something is declared or made: in `rpy var: …` and `static ZYX …` the same words say
 /// something of the numbers.
-fn without_words<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
+pub(crate) fn without_words<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
     let mut bare: Vec<Token<'t>> = Vec::with_capacity(tokens.len());
     let mut at = 0;
     while at < tokens.len() {

@@ -36,7 +36,7 @@
 //!    conventions, and its representations; on it stand [`motion`] and [`frames`].
 //! 4. [`library`](mod@library) and [`errata`](mod@errata): what is known of programs and of documents.
 //! 5. [`text`](mod@text): from typed text to named numbers, in `grammar`, `vocabulary` and `description`.
-//! 6. [`contract`]: what is asked and answered, the source of the TypeScript types.
+//! 6. [`contract`]: what is asked and answered, as plain numbers and names; the TypeScript types are made of it.
 //! 7. [`analyze`](mod@analyze): the road through all of them.
 //! 8. `wasm`: the edge to JavaScript, and the only room that knows of it. Inside spans count bytes, outside
 //!    UTF-16 units.

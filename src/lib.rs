@@ -12,8 +12,8 @@
 //! [`TaggedQuaternion`], [`Rotation`]. What the words mean, with numbers that show it, is in
 //! [`convention`](mod@convention).
 //!
-//! What real libraries do is in [`library`](mod@library), a table of records that were run. Two requests
-//! use it: [`TranslateRequest`] takes an attitude from one library or convention to another, and
+//! What real libraries do is in [`library`](mod@library), a table of records, most of which were
+//! run. Two requests use it: [`TranslateRequest`] takes an attitude from one library or convention to another, and
 //! [`IdentifyRequest`] tells which convention a library has from what it printed.
 //!
 //! # Sources
@@ -28,7 +28,7 @@
 //! # Reading the code
 //!
 //! Each folder of `src` is a room, and so is each file beside them. They are declared below in the order in
-//! which they are best read:
+//! which they are best read, after two small ones that know nothing of the subject (`character`, `decimal`):
 //!
 //! 1. [`convention`](mod@convention): the words, each defined by what it does.
 //! 2. [`problem`]: what is said where a step stops.

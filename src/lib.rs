@@ -2,18 +2,18 @@
 //! composition order.
 //!
 //! ```text
-//! text as typed -> parse -> numbers + spans -> convention -> tagged quaternion -> rotation -> canonical rotation
-//!       ^                                                                                            |
-//!       '-------------- page <- wasm <- report <------------------ analyze <-------------------------'
-//!                               any step may stop with a problem that points into the text
+//! typed text -> text/ -> numbers with spans -> convention/ -> tagged quaternion -> rotation/ -> canonical rotation
+//!     ^                                                                                                |
+//!     '---------- page <- wasm/ <- contract/ (the report) <------------ analyze/ <---------------------'
+//!                          any step may stop with a problem/ that points into the text
 //! ```
 //!
 //! [`analyze()`] is that whole road in one call. The steps can be used alone: [`parse_quaternion`],
 //! [`TaggedQuaternion`], [`Rotation`]. What the words mean, with numbers that show it, is in
 //! [`convention`](mod@convention).
 //!
-//! What real libraries do is in [`library`](mod@library), a table of records that were run. Two requests
-//! use it: [`TranslateRequest`] takes an attitude from one library or convention to another, and
+//! What real libraries do is in [`library`](mod@library), a table of records, most of which were
+//! run. Two requests use it: [`TranslateRequest`] takes an attitude from one library or convention to another, and
 //! [`IdentifyRequest`] tells which convention a library has from what it printed.
 //!
 //! # Sources
@@ -27,9 +27,22 @@
 //!
 //! # Reading the code
 //!
-//! Each of the modules below uses only those above it: words, rotations, what is asked and answered,
-//! text, and last the road through all of them. Inside the crate spans count bytes and one rotation is canonical: Hamilton, body to world. Conventions are
-//! tags at the edge.
+//! Each folder of `src` is a room, and so is each file beside them. They are declared below in the order in
+//! which they are best read, after two small ones that know nothing of the subject (`character`, `decimal`):
+//!
+//! 1. [`convention`](mod@convention): the words, each defined by what it does.
+//! 2. [`problem`]: what is said where a step stops.
+//! 3. [`rotation`]: the canonical rotation, Hamilton's quaternion of `R_WB`, with its two gates from and to
+//!    conventions, and its representations; on it stand [`motion`] and [`frames`].
+//! 4. [`library`](mod@library) and [`errata`](mod@errata): what is known of programs and of documents.
+//! 5. [`text`](mod@text): from typed text to named numbers, in `grammar`, `vocabulary` and `description`.
+//! 6. [`contract`]: what is asked and answered, as plain numbers and names; the TypeScript types are made of it.
+//! 7. [`analyze`](mod@analyze): the road through all of them.
+//! 8. `wasm`: the edge to JavaScript, and the only room that knows of it. Inside spans count bytes, outside
+//!    UTF-16 units.
+//!
+//! Which room may use which is the table `ROOMS` of `tests/house.rs`, and that test holds it. Why it is all so,
+//! and what was given up, is in `src/decisions.md`, [`decisions`] here.
 
 // Nothing that is typed may panic. The tests may.
 #![warn(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
@@ -123,6 +136,12 @@ pub use text::description::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedHalfAngleVector, ParsedRotation, ParsedRotationVector,
 };
 pub use text::{ParsedQuaternion, parse_quaternion, parse_rotation, parse_vector};
+
+/// Why things are as they are, and what was given up for it.
+#[cfg(doc)]
+pub mod decisions {
+    #![doc = include_str!("decisions.md")]
+}
 
 /// The examples of the README, compiled and run.
 #[cfg(doctest)]

@@ -6,7 +6,7 @@
 //! increment local, or if it is `R_BW` and the increment global; on the left otherwise.
 //!
 //! A library may leave out that sign; then its numbers are `θ = σδ` (for matrices `τδ`). That is the
-//! [`IncrementSign::Formal`] one, which the field guide's addition lines use. Local or global alone
+//! [`IncrementSign::Formal`](crate::IncrementSign::Formal) one, which the field guide's addition lines use. Local or global alone
 //! does not tell which.
 
 use crate::convention::matrix::MatrixConvention;

@@ -1,4 +1,4 @@
-//! The edge: only this file and those whose names begin with `wasm_` know JavaScript exists.
+//! The edge: the one room that knows JavaScript exists.
 //!
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.

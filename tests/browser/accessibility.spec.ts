@@ -1,7 +1,7 @@
 // What those meet who do not see the page, or enlarge it: its tree of names and roles, what is said
 // aloud and how often, and whether everything fits.
 import type { Page } from "@playwright/test";
-import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support.ts";
+import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support/page.ts";
 
 const views = ["read", "compose", "translate", "identify", "libraries"] as const;
 

@@ -1,6 +1,6 @@
 // A part of the page that does not arrive: words in its place, and a way to try again.
 import { expect, type Route, test } from "@playwright/test";
-import { matrix } from "./support.ts";
+import { matrix } from "./support/page.ts";
 
 const notFound = (route: Route) => route.fulfill({ status: 404, body: "not found" });
 const html = (route: Route) => route.fulfill({ contentType: "text/html", body: "<p>Hello</p>" });

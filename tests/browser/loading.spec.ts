@@ -1,7 +1,7 @@
 // What the page loads, when, and how much of it; and that nothing moves meanwhile.
 import { type Page, test as plainTest } from "@playwright/test";
 import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
-import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 206_800;

@@ -1,6 +1,6 @@
 // The format that one click copies: the last chosen one, numbers at first.
 import { signal } from "@preact/signals";
-import { type Format, formats } from "./formats.ts";
+import { type Format, formats } from "../model/copy_formats.ts";
 
 const storageKey = "quatlas.copy-format";
 

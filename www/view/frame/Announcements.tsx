@@ -1,0 +1,34 @@
+// The one live region of the page: what was done, at once, and the result, once it rests.
+import { useEffect, useState } from "preact/hooks";
+import type { PageState } from "../../model/page_state.ts";
+import { announcement, notice } from "../../state/announcement.ts";
+import "./announcements.css";
+
+/** So long nothing changes before it is said: whoever types or turns hears the end of it once. */
+const restMs = 500;
+
+export function Announcements({ result, of }: { result: string; of: PageState }) {
+  return (
+    <>
+      {/* Of the two only the one that changes is read out. */}
+      <p class="visually-hidden" role="status" aria-live="polite" aria-atomic="false">
+        <span data-said="done">{announcement}</span> <Result words={result} of={of} />
+      </p>
+      {notice.value !== "" && (
+        <p class="said" aria-hidden="true">
+          {notice}
+        </p>
+      )}
+    </>
+  );
+}
+
+function Result({ words, of }: { words: string; of: PageState }) {
+  const [said, setSaid] = useState(words);
+  // Again with every change, also where the words stay: that of a bracket which is not closed yet.
+  useEffect(() => {
+    const timer = setTimeout(() => setSaid(words), restMs);
+    return () => clearTimeout(timer);
+  }, [words, of]);
+  return <span data-said="result">{said}</span>;
+}

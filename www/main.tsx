@@ -1,27 +1,15 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
+import "./style.css";
 import { render } from "preact";
 import { startShortcuts } from "./action/shortcuts.ts";
+import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
+import { releaseOnLeaving } from "./dom/hold.ts";
 import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
 import { createStore } from "./state/store.ts";
 import { isLazy } from "./view/frame/lazy_views.ts";
-import "./style.css";
-import "./view/parts/ask.css";
-import "./view/result.css";
-import "./view/compose/compose.css";
-import "./view/declared.css";
-import "./view/narrow.css";
-import "./view/edit.css";
-import "./view/comfort.css";
-import "./view/frame/loading.css";
-import "./view/parts/notes.css";
-import "./view/parts/picture.css";
-import "./view/quiet.css";
-import "./view/surroundings.css";
-import { undoByKey } from "./action/undo_by_key.ts";
-import { releaseOnLeaving } from "./dom/hold.ts";
 import { Page } from "./view/frame/Page.tsx";
 import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 

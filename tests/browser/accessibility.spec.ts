@@ -128,6 +128,28 @@ test("a result is said once, when the typing rests", async ({ page }) => {
   expect(await said()).toEqual([expect.stringMatching(/a turn by 90.* about x/)]);
 });
 
+test("what was done is said by the one live region, beside the result", async ({ page }) => {
+  await open(page, "read");
+  await expect(page.locator("[aria-live], [role=status], [role=log]")).toHaveCount(1);
+  const region = page.getByRole("status");
+  // Only what changes is read out.
+  await expect(region).toHaveAttribute("aria-atomic", "false");
+  const done = region.locator("[data-said=done]");
+  const notice = page.locator(".said");
+  await page.keyboard.press("u");
+  await expect(done).toHaveText("Angles: radians");
+  await expect(notice).toHaveCount(0);
+  await page.getByRole("button", { name: "Copy Hamilton q" }).first().click();
+  await expect(done).toHaveText("Hamilton q copied");
+  // It is also shown, and not read out twice.
+  await expect(notice).toHaveText("Hamilton q copied");
+  await expect(notice).toHaveAttribute("aria-hidden", "true");
+  await expect(notice).toHaveCount(0);
+  await quaternionField(page).fill("0 0 0 1");
+  await expect(done).toHaveText("");
+  await expect(region).toHaveText(/a turn by/);
+});
+
 test("turning the body is said once, when it rests", async ({ page }) => {
   await open(page, "read?quaternion=1+0+0+0&look=0,0");
   const said = await listen(page);

@@ -17,6 +17,8 @@ import { Picture } from "../parts/Picture.tsx";
 import { TextField } from "../parts/TextField.tsx";
 import { UndoRedo } from "../parts/UndoRedo.tsx";
 import { ComponentStrip, Matrix } from "../parts/Value.tsx";
+import "../parts/result.css";
+import "./compose.css";
 
 export function Compose({ store }: { store: Store }) {
   const { digits, unit } = store.state.value;

@@ -10,13 +10,13 @@ const restMs = 500;
 export function Announcements({ result, of }: { result: string; of: PageState }) {
   return (
     <>
-      {/* Of the two only the one that changes is read out. */}
+      {/* Of the two only the one that changes is read out, and an empty text would be written again with each change. */}
       <p class="visually-hidden" role="status" aria-live="polite" aria-atomic="false">
-        <span data-said="done">{announcement}</span> <Result words={result} of={of} />
+        <span data-said="done">{announcement.value || null}</span> <Result words={result} of={of} />
       </p>
       {notice.value !== "" && (
         <p class="said" aria-hidden="true">
-          {notice}
+          {notice.value}
         </p>
       )}
     </>
@@ -30,5 +30,5 @@ function Result({ words, of }: { words: string; of: PageState }) {
     const timer = setTimeout(() => setSaid(words), restMs);
     return () => clearTimeout(timer);
   }, [words, of]);
-  return <span data-said="result">{said}</span>;
+  return <span data-said="result">{said || null}</span>;
 }

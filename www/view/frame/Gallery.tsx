@@ -7,6 +7,7 @@ import { type PageState, views } from "../../model/page_state.ts";
 import { hideOverlay } from "../../state/overlay.ts";
 import type { Store } from "../../state/store.ts";
 import { exampleWords, groupWords } from "../../words/examples/gallery.ts";
+import "./gallery.css";
 
 export function Gallery({ store }: { store: Store }) {
   const state = store.state.value;

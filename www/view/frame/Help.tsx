@@ -13,6 +13,7 @@ import {
 } from "../../words/frame/help.ts";
 import { shortcutsLabel, shortcutsWords, themeLabel, themeWords } from "../../words/settings.ts";
 import { SettingChoice } from "../parts/SettingChoice.tsx";
+import "./help.css";
 
 /** Those with a modifier act in text fields too; undo_by_key.ts and the fields listen to them. */
 const everywhere: readonly { name: ShortcutName; keys: readonly string[] }[] = [

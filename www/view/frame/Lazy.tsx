@@ -3,6 +3,7 @@ import { useEffect } from "preact/hooks";
 import type { Store } from "../../state/store.ts";
 import { loadingLine, notLoadedLine, retryWord } from "../../words/frame/loading.tsx";
 import { type LazyView, load, loadingOf } from "./lazy_views.ts";
+import "./loading.css";
 
 export function Lazy({ view, name, store }: { view: LazyView; name: string; store: Store }) {
   const loading = loadingOf[view].value;

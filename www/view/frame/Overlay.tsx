@@ -5,6 +5,7 @@ import type { OverlayName } from "../../model/overlay_name.ts";
 import { hideOverlay, shownOverlay } from "../../state/overlay.ts";
 import type { Store } from "../../state/store.ts";
 import { close, loading, notLoaded, overlayNames } from "../../words/frame/overlay.ts";
+import "./overlay.css";
 
 type Content = FunctionComponent<{ store: Store }>;
 

@@ -17,6 +17,7 @@ import { isLazy, load, loadingOf } from "./lazy_views.ts";
 import { Overlay } from "./Overlay.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
 import { Tools } from "./Tools.tsx";
+import "./page.css";
 
 /** The views of the first load. */
 const firstViews = { read: Read, compose: Compose };

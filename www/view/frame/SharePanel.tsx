@@ -4,13 +4,13 @@ import { versionedFragment } from "../../address/fragment.ts";
 import { citeCompose, citeRead, citeTranslation, markdownLink } from "../../copy/cite.ts";
 import { putOnClipboard } from "../../dom/clipboard.ts";
 import type { Endpoint } from "../../engine.ts";
+import { announceVisibly } from "../../state/announcement.ts";
 import type { Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { panelWords as words } from "../../words/frame/share_panel.ts";
+import { nameOf } from "../parts/convention_names.ts";
 import { Popup } from "../parts/Popup.tsx";
 import "./share_panel.css";
-import { announceVisibly } from "../../state/announcement.ts";
-import { nameOf } from "../parts/convention_names.ts";
 
 export interface PanelProps {
   store: Store;

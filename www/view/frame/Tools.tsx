@@ -5,6 +5,7 @@ import { showOverlay } from "../../state/overlay.ts";
 import { chooseTheme, nextTheme, theme } from "../../state/settings.ts";
 import { overlayNames } from "../../words/frame/overlay.ts";
 import { isNow, themeLabel, themeWords } from "../../words/settings.ts";
+import "./tools.css";
 
 /** The tools beside the views: the theme, and the list of keys. */
 export function Tools({ children }: { children: ComponentChildren }) {

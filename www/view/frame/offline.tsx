@@ -2,8 +2,8 @@
 // reloaded unasked.
 import { type ComponentChildren, render } from "preact";
 import { keepPage, takeOver } from "../../dom/service_worker.ts";
-import "./offline.css";
 import { newVersion } from "../../words/frame/offline.ts";
+import "./offline.css";
 
 export const keepOffline = () => keepPage(sayReady);
 

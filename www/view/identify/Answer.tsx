@@ -10,6 +10,8 @@ import { ContradictionWords } from "./Contradiction.tsx";
 import { wordsOfValue } from "./choices.ts";
 import type { Answer } from "./kept_answer.ts";
 import { sentenceId } from "./Sheet.tsx";
+import "../parts/result.css";
+import "./answer.css";
 
 export const answerId = "identify-answer";
 

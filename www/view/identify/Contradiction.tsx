@@ -5,6 +5,8 @@ import * as words from "../../words/identify/contradiction.tsx";
 import { listed } from "../../words/phrases.ts";
 import { wordsOfValue } from "./choices.ts";
 import { claims } from "./kept_answer.ts";
+import "../parts/ask.css";
+import "./contradiction.css";
 
 export function ContradictionWords({ store, found }: { store: Store; found: Contradiction }) {
   return (

@@ -15,11 +15,10 @@ import { MatchingLibraries } from "./MatchingLibraries.tsx";
 import { Meaning } from "./Meaning.tsx";
 import { printedId } from "./Observation.tsx";
 import { Sheet } from "./Sheet.tsx";
-import "../translate/library_picker.css";
-import "../translate/translate.css";
-import "../libraries/libraries.css";
+import "../parts/ask.css";
+import "../parts/examples.css";
+import "../parts/result.css";
 import "./identify.css";
-import "./answer.css";
 
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);

@@ -5,6 +5,8 @@ import type { Store } from "../../state/store.ts";
 import * as words from "../../words/identify/matching_libraries.ts";
 import { knownWords } from "../../words/library_behaviour.ts";
 import { libraryWith } from "../parts/library.ts";
+import "../parts/result.css";
+import "./matching_libraries.css";
 
 /** As many are shown without being asked for. */
 const shownAtOnce = 12;

@@ -9,6 +9,8 @@ import * as words from "../../words/identify/meaning.tsx";
 import { familyWords, productWords, takesWords } from "../../words/library_behaviour.ts";
 import { capital, unbroken } from "../../words/phrases.ts";
 import { wordsOfValue } from "./choices.ts";
+import "../parts/result.css";
+import "./meaning.css";
 
 export function Meaning({ report, name }: { report: IdentifyReport; name: string }) {
   return (

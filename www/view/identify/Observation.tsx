@@ -7,6 +7,10 @@ import { layoutNames, probeWords } from "../../words/identify/choices.ts";
 import * as words from "../../words/identify/observation.tsx";
 import { Copy } from "../parts/Copy.tsx";
 import { MarkedText } from "../parts/MarkedText.tsx";
+import "../parts/ask.css";
+import "../parts/result.css";
+import "../parts/text_field.css";
+import "./observation.css";
 
 /** The field in which the answer to an observation is typed. */
 export const printedId = (at: number) => `observation-${at}-printed`;

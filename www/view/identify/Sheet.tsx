@@ -9,6 +9,8 @@ import * as words from "../../words/identify/sheet.tsx";
 import type { Answer } from "./kept_answer.ts";
 import { Observation, printedId } from "./Observation.tsx";
 import { standardProbe } from "./standard_probe.ts";
+import "../parts/result.css";
+import "./sheet.css";
 
 /** Where the answer can be reached from the last question. */
 export const sentenceId = "identify-sentence";

@@ -4,6 +4,8 @@ import type { Library } from "../../engine.ts";
 import { type Evidence, evidenceOf, type Observed } from "../../model/evidence.ts";
 import { shown, shownArray } from "../../number/format.ts";
 import * as words from "../../words/libraries/evidence.tsx";
+import "../parts/result.css";
+import "./evidence.css";
 
 export function EvidenceOf({ library }: { library: Library }) {
   const [evidence, setEvidence] = useState<Evidence | "none" | "failed" | undefined>(undefined);

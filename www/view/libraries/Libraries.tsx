@@ -15,8 +15,8 @@ import {
 import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "../parts/library.ts";
 import { found } from "../parts/library_search.ts";
 import { LibraryRecord } from "./Record.tsx";
-import "../translate/library_picker.css";
-import "../translate/translate.css";
+import "../parts/ask.css";
+import "../parts/result.css";
 import "./libraries.css";
 
 const { columns } = words;

@@ -22,6 +22,7 @@ import {
 import { Copy } from "../parts/Copy.tsx";
 import { establishedOf } from "../parts/library.ts";
 import { EvidenceOf } from "./Evidence.tsx";
+import "./record.css";
 
 export function LibraryRecord({ library, store }: { library: Library; store: Store }) {
   const { family, action } = establishedOf(store.engine.endOf(library.id));

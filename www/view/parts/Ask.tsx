@@ -10,6 +10,7 @@ import { MoreAxes } from "./MoreAxes.tsx";
 import { FixButton } from "./Notes.tsx";
 import { NumberSettings } from "./NumberSettings.tsx";
 import { problemId, TextField } from "./TextField.tsx";
+import "./ask.css";
 
 /** What is asked beside the rotations: the vector, the decimals, the axes; and what is said of all. */
 export function AskRest({

@@ -1,5 +1,6 @@
 // One of a few values, of which all are seen: radio buttons under a legend.
 import type { ComponentChildren } from "preact";
+import "./choice.css";
 
 export interface ValueInWords<Value extends string> {
   value: Value;

@@ -4,6 +4,7 @@ import { declaredConvention, type Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.ts";
 import { fiveWords, nameOf } from "./convention_names.ts";
+import "./convention_switch.css";
 
 const presets: Preset[] = ["hamilton", "jpl"];
 

@@ -5,10 +5,10 @@ import { chosenFormat } from "../../copy/format_choice.ts";
 import { putOnClipboard } from "../../dom/clipboard.ts";
 import type { Copied } from "../../model/copied.ts";
 import { canSay, type Format } from "../../model/copy_formats.ts";
+import { announceVisibly } from "../../state/announcement.ts";
 import { copyWords } from "../../words/parts/copy.ts";
 import type { MenuProps } from "./CopyMenu.tsx";
 import "./copy.css";
-import { announceVisibly } from "../../state/announcement.ts";
 
 const copiedForMs = 1600;
 

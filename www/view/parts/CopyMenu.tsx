@@ -5,8 +5,8 @@ import { chooseFormat } from "../../copy/format_choice.ts";
 import type { Copied } from "../../model/copied.ts";
 import { canSay, type Format, formats } from "../../model/copy_formats.ts";
 import { copyWords, formatNames } from "../../words/parts/copy.ts";
-import "./copy_menu.css";
 import { Popup } from "./Popup.tsx";
+import "./copy_menu.css";
 
 export interface MenuProps {
   of: string;

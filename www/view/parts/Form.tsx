@@ -8,6 +8,7 @@ import { fromRadians, shown, shownAngle, shownArray, shownAxis } from "../../num
 import { arrowOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/form.tsx";
 import { namesInOrder } from "./Value.tsx";
+import "./form.css";
 
 /** `Euler angles ZYX 30°, 20°, 10°` and the like; nothing for a quaternion, whose numbers follow. */
 export function FormWords({

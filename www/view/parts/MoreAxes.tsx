@@ -16,6 +16,7 @@ import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
 import { fiveWords, nameOf } from "./convention_names.ts";
 import { MatrixOf } from "./RulesList.tsx";
+import "./more_axes.css";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;

@@ -4,6 +4,7 @@ import { apply, type Fix, fixesOfNote, keyFix } from "../../action/fixes.ts";
 import type { Fact, Field, Note } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
 import { fixKey, noteWords } from "../../words/parts/notes.tsx";
+import "./notes.css";
 
 /** Facts about the axis and the angle, which stand beside them in the Read view. */
 const ofTheTurn: readonly Fact["kind"][] = [

@@ -16,6 +16,7 @@ import {
   shownNumbers,
   write,
 } from "./number_group.ts";
+import "./number_field.css";
 
 /** What the arrow keys add. */
 const steps = { degrees: 1, radians: 0.01, none: 0.01 };

@@ -10,6 +10,7 @@ import {
   unitWords,
 } from "../../words/settings.ts";
 import { SettingChoice } from "./SettingChoice.tsx";
+import "./number_settings.css";
 
 /** How numbers are shown. */
 export function NumberSettings({ store }: { store: Store }) {

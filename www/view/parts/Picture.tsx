@@ -3,6 +3,8 @@ import type { ComponentType } from "preact";
 import { useEffect, useState } from "preact/hooks";
 import type { Store } from "../../state/store.ts";
 import { pictureWords as words } from "../../words/picture.ts";
+import "./result.css";
+import "./picture.css";
 
 type Kind = "read" | "compose";
 

@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import type { Convention, CosineMatrix, Rules, Side } from "../../engine.ts";
 import * as words from "../../words/parts/rules_list.tsx";
+import "./rules_list.css";
 
 /** `R(q)` or `C(q)`. */
 export function MatrixOf({ form }: { form: CosineMatrix }) {

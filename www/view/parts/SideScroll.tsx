@@ -3,6 +3,7 @@
 import type { ComponentChild } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Digits } from "../../model/page_state.ts";
+import "./side_scroll.css";
 
 /** Of a scroll position, which engines round. */
 const onePixel = 1;

@@ -6,6 +6,7 @@ import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.ts";
 import { MarkedText } from "./MarkedText.tsx";
+import "./text_field.css";
 
 export const problemId = (field: Field) => `problem-${field}`;
 

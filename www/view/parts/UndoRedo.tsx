@@ -2,6 +2,7 @@
 import { redo, undo } from "../../action/undo.ts";
 import type { Store } from "../../state/store.ts";
 import { undoWords } from "../../words/undo.ts";
+import "./undo_redo.css";
 
 const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
 const keys = isMac

@@ -18,6 +18,7 @@ import { Copy } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { type Edited, numberGroup, shownNumbers } from "./number_group.ts";
 import { SideScroll } from "./SideScroll.tsx";
+import "./value.css";
 
 /** The four components in the order of the convention, each under its name. */
 export function ComponentStrip({

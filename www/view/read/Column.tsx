@@ -10,6 +10,8 @@ import * as text from "../../words/read/column.ts";
 import { editedComponents, editedMatrix } from "../parts/number_group.ts";
 import { RulesList } from "../parts/RulesList.tsx";
 import { ArrayRow, ComponentStrip, Matrix } from "../parts/Value.tsx";
+import "../parts/result.css";
+import "./column.css";
 
 export function ConventionColumn({
   store,

@@ -13,6 +13,8 @@ import { fiveWords, nameOf } from "../parts/convention_names.ts";
 import { editedComponents, editedMatrix } from "../parts/number_group.ts";
 import { MatrixOf, RulesList } from "../parts/RulesList.tsx";
 import { ArrayRow, ComponentStrip, Matrix } from "../parts/Value.tsx";
+import "../parts/result.css";
+import "./declared.css";
 
 export function DeclaredCard({
   report,

@@ -12,6 +12,8 @@ import * as words from "../../words/read/facts.ts";
 import { Copy } from "../parts/Copy.tsx";
 import { NumberField } from "../parts/NumberField.tsx";
 import { numberGroup } from "../parts/number_group.ts";
+import "../parts/result.css";
+import "./euler_fact.css";
 
 const otherUnit: Record<Unit, Unit> = { degrees: "radians", radians: "degrees" };
 const unitWords: Record<Unit, string> = { degrees: "°", radians: "\u00a0rad" };

@@ -15,6 +15,8 @@ import { FixButton, NoteOfTurn } from "../parts/Notes.tsx";
 import { NumberField } from "../parts/NumberField.tsx";
 import { type NumberGroup, numberGroup } from "../parts/number_group.ts";
 import { EulerFact } from "./EulerFact.tsx";
+import "../parts/result.css";
+import "./facts.css";
 
 /** Stands for the axis where there is no turn, as about every other one. */
 const anyAxis = [0, 0, 1] as const;

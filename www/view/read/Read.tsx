@@ -21,6 +21,8 @@ import { ConventionColumn } from "./Column.tsx";
 import { DeclaredCard } from "./Declared.tsx";
 import { Facts } from "./Facts.tsx";
 import { Relation } from "./Relation.tsx";
+import "../parts/examples.css";
+import "../parts/result.css";
 
 export function Read({ store }: { store: Store }) {
   const shownResult = store.read.value;

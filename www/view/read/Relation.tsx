@@ -5,6 +5,7 @@ import { operatorOf } from "../../model/conventions.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import { shownArray } from "../../number/format.ts";
 import * as words from "../../words/read/relation.tsx";
+import "./relation.css";
 
 export function Relation({
   report,

@@ -18,6 +18,8 @@ import { Copy } from "../parts/Copy.tsx";
 import { accentOf, libraryWith } from "../parts/library.ts";
 import { ArrayRow, Matrix } from "../parts/Value.tsx";
 import { Of } from "./Why.tsx";
+import "../parts/result.css";
+import "./end_column.css";
 
 export function EndColumn({
   side,

@@ -18,6 +18,8 @@ import * as productWords from "../../words/translate/product_card.tsx";
 import type { EndNames } from "../../words/translate/translate.ts";
 import { libraryWith } from "../parts/library.ts";
 import { Matrix } from "../parts/Value.tsx";
+import "../parts/result.css";
+import "./facts.css";
 
 /** How `a * b` of the first end is written at the second. */
 export function ProductCard({

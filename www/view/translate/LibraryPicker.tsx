@@ -6,6 +6,7 @@ import { groupNames } from "../../words/library_behaviour.ts";
 import * as words from "../../words/translate/library_picker.ts";
 import { aboutLibrary, endName, groups } from "../parts/library.ts";
 import { found } from "../parts/library_search.ts";
+import "./library_picker.css";
 
 /** What the list offers beside libraries. */
 export type Convened = "hamilton" | "jpl" | "custom";

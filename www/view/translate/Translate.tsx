@@ -24,7 +24,7 @@ import { EndChoice } from "./EndChoice.tsx";
 import { EndColumn } from "./EndColumn.tsx";
 import { AxesCard, MistakesCard, ProductCard } from "./Facts.tsx";
 import { Why } from "./Why.tsx";
-import "./library_picker.css";
+import "../parts/result.css";
 import "./translate.css";
 
 export function Translate({ store }: { store: Store }) {

@@ -145,6 +145,11 @@ test("what was done is said by the one live region, beside the result", async ({
   await expect(notice).toHaveText("Hamilton q copied");
   await expect(notice).toHaveAttribute("aria-hidden", "true");
   await expect(notice).toHaveCount(0);
+  // The same words again are another text, or they would not be read out.
+  const before = await done.textContent();
+  await page.getByRole("button", { name: "Copy Hamilton q" }).first().click();
+  await expect.poll(() => done.textContent()).not.toBe(before);
+  await expect(done).toHaveText("Hamilton q copied");
   await quaternionField(page).fill("0 0 0 1");
   await expect(done).toHaveText("");
   await expect(region).toHaveText(/a turn by/);

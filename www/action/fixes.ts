@@ -1,5 +1,4 @@
 // What mends an input: for each note and each problem, another text or another declaration.
-
 import type {
   ComponentOrder,
   Components,

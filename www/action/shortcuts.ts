@@ -1,5 +1,4 @@
 // The keys that do something by themselves. Help lists this table, so it is always true.
-
 import { digitChoices, type Preset, unitChoices, type View, views } from "../model/page_state.ts";
 import type { ShortcutName } from "../model/shortcut_name.ts";
 import { announce } from "../state/announcement.ts";

@@ -1,6 +1,5 @@
 // Undo and redo by key, wherever the focus is: the texts are the state's, so the browser's own undo of
 // a text field would take back what the page never knew.
-
 import type { Store } from "../state/store.ts";
 import { redo, undo } from "./undo.ts";
 

@@ -1,6 +1,5 @@
 // The ends of a translation in the address: `eigen`, `eigen~scalar-first~world-to-body`, `:jpl`, or
 // the five axes `:scalar-last,left,passive,world-to-body,local`.
-
 import type { Convention, Endpoint } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
 

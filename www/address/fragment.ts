@@ -1,5 +1,4 @@
 // The address is the state: everything typed and chosen, in the fragment.
-
 import type { Convention, Endpoint, EulerSequence, Language, Probe } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
 import { eulerAxes, sequenceName } from "../model/euler_sequence.ts";

@@ -1,5 +1,4 @@
 // Observations in the address: `product;0 1 0 0;0 0 1 0;0 0 0 1`, one parameter each.
-
 import type { MatrixLayout, Probe } from "../engine.ts";
 import { layouts, probeKinds } from "../model/probes.ts";
 

@@ -1,5 +1,4 @@
 // The values of the reports as values that can be copied.
-
 import type {
   Column,
   Components,

@@ -1,5 +1,4 @@
 // A value as code: its comment and its lines. Loaded when a copy first needs it.
-
 import { type Copied, directionOfR } from "../model/copied.ts";
 import type { CodeFormat } from "../model/copy_formats.ts";
 import { says } from "../words/copy/comments.ts";

@@ -1,5 +1,4 @@
 // The eight choices that describe what a library does, in the order in which they are shown.
-
 import type {
   BehaviourAxis,
   ComponentOrder,

@@ -1,5 +1,4 @@
 // The five axes of a convention, the preset it is like, and the conventions that have a name.
-
 import type { Convention, Direction, Engine, Handedness } from "../engine.ts";
 import type { PageState, Preset } from "./page_state.ts";
 

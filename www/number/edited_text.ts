@@ -1,5 +1,4 @@
 // A number of the result that was edited, as a text of the whole attitude that the core reads; pure.
-
 import type { ComponentOrder, Direction, EulerSequence, Span } from "../engine.ts";
 import { sequenceName } from "../model/euler_sequence.ts";
 import type { PageState } from "../model/page_state.ts";

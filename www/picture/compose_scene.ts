@@ -1,5 +1,4 @@
 // Two turns one after the other, about fixed axes and about moving ones; pure.
-
 import type { ComposeReport, Operand, Turn } from "../engine.ts";
 import type { Step } from "../model/picture_state.ts";
 import type { Camera } from "./camera.ts";

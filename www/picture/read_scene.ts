@@ -1,5 +1,4 @@
 // The scene of one attitude, from the report of the core; pure.
-
 import type { ReadReport } from "../engine.ts";
 import type { PictureState, Reading } from "../model/picture_state.ts";
 import { type Camera, cameraOf } from "./camera.ts";

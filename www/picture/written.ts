@@ -1,5 +1,4 @@
 // A turned pose as text for the field, in the declared convention; pure.
-
 import type { Convention, Rules } from "../engine.ts";
 import type { Digits } from "../model/page_state.ts";
 import type { Quaternion } from "./space.ts";

@@ -1,5 +1,4 @@
 // What is remembered from visit to visit, in this browser only.
-
 import { signal } from "@preact/signals";
 import { type Digits, digitChoices, type Unit, unitChoices } from "../model/page_state.ts";
 import type { ShortcutsChoice, Theme } from "../model/settings.ts";

@@ -4,7 +4,6 @@
 // stand in the views.
 //
 // Here: what the texts, the two presets and the five axes are called; the same everywhere.
-
 import type { ComponentOrder, Convention, Direction, Field } from "../engine.ts";
 import type { Axis, NamedConvention } from "../model/conventions.ts";
 

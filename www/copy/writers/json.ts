@@ -1,5 +1,4 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
-
 import {
   type Copied,
   type CopiedQuaternion,

@@ -1,5 +1,4 @@
 // Python with SciPy's Rotation, and with NumPy alone.
-
 import type { Rows } from "../../model/copied.ts";
 import { sequenceLetters } from "../../words/copy/comments.ts";
 import { float, listed, ordered, scalarLast } from "./numbers.ts";

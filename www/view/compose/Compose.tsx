@@ -1,5 +1,4 @@
 // The Compose view: two quaternions, both products, both orders.
-
 import { productValues } from "../../copy/values.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../../engine.ts";
 import { presetLike, presetOf } from "../../model/conventions.ts";

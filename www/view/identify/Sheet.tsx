@@ -1,5 +1,4 @@
 // The sheet: what was observed, the question that the core asks next, and what else can be tried.
-
 import type { IdentifyReport, NextProbe, Probe, ProbeKind } from "../../engine.ts";
 import { choicesOfLibrary } from "../../model/behaviour.ts";
 import { isSameProbe, kinds, mostObservations } from "../../model/probes.ts";

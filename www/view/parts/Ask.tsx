@@ -1,5 +1,4 @@
 // What is asked: text fields and the declared convention.
-
 import type { ComponentChildren } from "preact";
 import { fixOfProblem } from "../../action/fixes.ts";
 import type { Problem } from "../../engine.ts";

@@ -1,5 +1,4 @@
 // What a text was read as: a quaternion or another description of an attitude.
-
 import type { ReadQuaternion } from "../../engine.ts";
 import { operatorOf } from "../../model/conventions.ts";
 import { sequenceName } from "../../model/euler_sequence.ts";

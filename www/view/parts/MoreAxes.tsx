@@ -1,5 +1,4 @@
 // *More*: the five axes of the declared convention, and how nine typed numbers are read.
-
 import type { Convention, MatrixConvention } from "../../engine.ts";
 import {
   type Axis,

@@ -1,5 +1,4 @@
 // Numbers of the result that are edited together: a quaternion, a matrix, the angles of a sequence.
-
 import type { Convention, Direction, Problem, Span } from "../../engine.ts";
 import { type Description, editedState, editedText, namesOf } from "../../number/edited_text.ts";
 import { exact } from "../../number/format.ts";

@@ -1,5 +1,4 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
-
 import { columnValues } from "../../copy/values.ts";
 import type { Column, Direction } from "../../engine.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";

@@ -1,5 +1,4 @@
 // The declared convention where it is neither preset: its own numbers, and what it multiplies.
-
 import { declaredValues } from "../../copy/values.ts";
 import type { ReadReport } from "../../engine.ts";
 import { operatorOf } from "../../model/conventions.ts";

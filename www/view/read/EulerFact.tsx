@@ -1,5 +1,4 @@
 // The attitude as Euler angles in a sequence of one's choice.
-
 import { eulerValue } from "../../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../../engine.ts";
 import { eulerAxes, sequenceName } from "../../model/euler_sequence.ts";

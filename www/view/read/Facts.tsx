@@ -1,5 +1,4 @@
 // What no convention changes: the turn itself.
-
 import { negates } from "../../action/fixes.ts";
 
 import { turnValues } from "../../copy/values.ts";

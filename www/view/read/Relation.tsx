@@ -1,5 +1,4 @@
 // How the two readings relate: two true sentences that must not be mixed up.
-
 import type { ReadReport } from "../../engine.ts";
 import { operatorOf } from "../../model/conventions.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";

@@ -1,5 +1,4 @@
 // The Translate view: four numbers from one library or convention to another.
-
 import { toFragment } from "../../address/fragment.ts";
 import { endQuaternion } from "../../copy/values.ts";
 import type { TranslateReport } from "../../engine.ts";
@@ -19,10 +18,12 @@ import { NumberSettings } from "../parts/NumberSettings.tsx";
 import { TextField } from "../parts/TextField.tsx";
 import { UndoRedo } from "../parts/UndoRedo.tsx";
 import { ComponentStrip, namesInOrder } from "../parts/Value.tsx";
+import { AxesCard } from "./AxesCard.tsx";
 import { AxesChoice } from "./AxesChoice.tsx";
 import { EndChoice } from "./EndChoice.tsx";
 import { EndColumn } from "./EndColumn.tsx";
-import { AxesCard, MistakesCard, ProductCard } from "./Facts.tsx";
+import { MistakesCard } from "./MistakesCard.tsx";
+import { ProductCard } from "./ProductCard.tsx";
 import { Why } from "./Why.tsx";
 import "../parts/result.css";
 import "./translate.css";

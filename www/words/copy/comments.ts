@@ -1,5 +1,4 @@
 // What copied code says of itself. It goes into source files: plain ASCII.
-
 import type { ComponentOrder, Convention, Direction } from "../../engine.ts";
 import type { Copied, CopiedEuler, CopiedQuaternion } from "../../model/copied.ts";
 import type { CodeFormat } from "../../model/copy_formats.ts";

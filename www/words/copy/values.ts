@@ -1,5 +1,4 @@
 // What copied values say they are; plain ASCII, since they go into source files.
-
 import type { Direction, Frame, PrintedMatrix } from "../../engine.ts";
 import type { EndMatrix } from "../../model/copied.ts";
 

@@ -1,5 +1,4 @@
 // The examples of the gallery: what each is called, and what it teaches.
-
 import type { ExampleName } from "../../model/examples/gallery.ts";
 import type { View } from "../../model/page_state.ts";
 import { featuredNames } from "./featured.ts";

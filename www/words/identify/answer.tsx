@@ -1,5 +1,4 @@
 // What is said of the library that is asked about.
-
 import { numbered } from "../phrases.ts";
 import { allBehaviours } from "./choices.ts";
 

@@ -1,5 +1,4 @@
 // What is observed of a library and what that settles: the probes, the eight choices, what to check.
-
 import type { BehaviourAxis, Family, MatrixLayout, ProbeKind, Side } from "../../engine.ts";
 import type { ChoiceValues } from "../../model/behaviour.ts";
 import { lettersOf } from "../conventions.ts";

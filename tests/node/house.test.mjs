@@ -50,16 +50,16 @@ const mayUse = {
 /** The rooms that may name the built core. */
 const nextToCore = ["engine.ts", "package"];
 
-/** The room of a file: its own name, its folder, or that of a view. */
+/** The room of a file: its folder, that of a view, or its own name where it stands in none. */
 function roomOf(file) {
-  const [folder, inner] = file.split("/");
-  if (folder !== "view") return folder;
-  return `view/${["parts", "frame"].includes(inner) ? inner : "*"}`;
+  const [folder, inner, ...below] = file.split("/");
+  if (folder !== "view" || below.length === 0) return folder;
+  return ["parts", "frame"].includes(inner) ? `view/${inner}` : "view/*";
 }
 
-/** Two views do not use each other: the folder of each is a room of its own. */
-const isSameRoom = (one, other) =>
-  roomOf(one) === roomOf(other) && (roomOf(one) !== "view/*" || dirname(one) === dirname(other));
+/** The folder of each view is a room of its own: two views do not use each other. */
+const viewOf = (file) => (roomOf(file) === "view/*" ? file.split("/")[1] : undefined);
+const isSameRoom = (one, other) => roomOf(one) === roomOf(other) && viewOf(one) === viewOf(other);
 
 /** The text of every script of the page, by its path below www. */
 const sources = new Map(
@@ -163,6 +163,7 @@ test("a use against the direction is found with its line, of whatever kind it is
     ["view/read/a.ts", 'import { analyze } from "../../../pkg/quatlas.js";'],
     ["model/a.ts", 'import type { Request } from "../../pkg/quatlas.js";'],
     ["cellar/a.ts", ""],
+    ["view/a.ts", ""],
   ];
   for (const [file, source] of wrong) {
     const line = source === "" ? 1 : 2;

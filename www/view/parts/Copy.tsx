@@ -1,11 +1,11 @@
 // The button that copies a value with all its digits, and the one beside it that offers formats.
 import type { ComponentType } from "preact";
 import { useRef, useState } from "preact/hooks";
-import { chosenFormat } from "../../copy/format_choice.ts";
 import { putOnClipboard } from "../../dom/clipboard.ts";
 import type { Copied } from "../../model/copied.ts";
 import { canSay, type Format } from "../../model/copy_formats.ts";
 import { announceVisibly } from "../../state/announcement.ts";
+import { chosenFormat } from "../../state/copy_format.ts";
 import { copyWords } from "../../words/parts/copy.ts";
 import type { MenuProps } from "./CopyMenu.tsx";
 import "./copy.css";

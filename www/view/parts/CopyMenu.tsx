@@ -1,9 +1,9 @@
 // The formats in which a value can be copied, each with its first line. Loaded when it is opened.
 import { useRef } from "preact/hooks";
 import { originOf, preview } from "../../copy/code.ts";
-import { chooseFormat } from "../../copy/format_choice.ts";
 import type { Copied } from "../../model/copied.ts";
 import { canSay, type Format, formats } from "../../model/copy_formats.ts";
+import { chooseFormat } from "../../state/copy_format.ts";
 import { copyWords, formatNames } from "../../words/parts/copy.ts";
 import { Popup } from "./Popup.tsx";
 import "./copy_menu.css";

@@ -1,25 +1,22 @@
 // The one live region of the page: what was done, at once, and the result, once it rests.
 import { useEffect, useState } from "preact/hooks";
 import type { PageState } from "../../model/page_state.ts";
-import { announcement, notice } from "../../state/announcement.ts";
+import { announcement, isAnnouncementShown } from "../../state/announcement.ts";
 import "./announcements.css";
 
 /** So long nothing changes before it is said: whoever types or turns hears the end of it once. */
 const restMs = 500;
 
 export function Announcements({ result, of }: { result: string; of: PageState }) {
+  const isShown = isAnnouncementShown.value;
+  // Of the two only the one that changes is read out; an empty text would be written with every change.
   return (
-    <>
-      {/* Of the two only the one that changes is read out, and an empty text would be written again with each change. */}
-      <p class="visually-hidden" role="status" aria-live="polite" aria-atomic="false">
-        <span data-said="done">{announcement.value || null}</span> <Result words={result} of={of} />
+    <div role="status" aria-live="polite" aria-atomic="false">
+      <p class={isShown ? "said" : "visually-hidden"} data-said="done">
+        {announcement.value || null}
       </p>
-      {notice.value !== "" && (
-        <p class="said" aria-hidden="true">
-          {notice.value}
-        </p>
-      )}
-    </>
+      <Result words={result} of={of} />
+    </div>
   );
 }
 
@@ -30,5 +27,9 @@ function Result({ words, of }: { words: string; of: PageState }) {
     const timer = setTimeout(() => setSaid(words), restMs);
     return () => clearTimeout(timer);
   }, [words, of]);
-  return <span data-said="result">{said || null}</span>;
+  return (
+    <p class="visually-hidden" data-said="result">
+      {said || null}
+    </p>
+  );
 }

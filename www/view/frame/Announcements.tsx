@@ -12,9 +12,9 @@ export function Announcements({ result, of }: { result: string; of: PageState })
   // Of the two only the one that changes is read out; an empty text would be written with every change.
   return (
     <div role="status" aria-live="polite" aria-atomic="false">
-      <p class={isShown ? "said" : "visually-hidden"} data-said="done">
+      <div class={isShown ? "said" : "visually-hidden"} data-said="done">
         {announcement.value || null}
-      </p>
+      </div>
       <Result words={result} of={of} />
     </div>
   );
@@ -28,8 +28,8 @@ function Result({ words, of }: { words: string; of: PageState }) {
     return () => clearTimeout(timer);
   }, [words, of]);
   return (
-    <p class="visually-hidden" data-said="result">
+    <div class="visually-hidden" data-said="result">
       {said || null}
-    </p>
+    </div>
   );
 }

@@ -1,29 +1,17 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
-import { render } from "preact";
-import { fromFragment } from "./address.ts";
-import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
-import { keepAddress, restoreAddress } from "./keep_address.ts";
-import { isLazy } from "./lazy_views.ts";
-import { followTheme, showTheme } from "./settings.ts";
-import { startShortcuts } from "./shortcuts.ts";
-import { createStore } from "./state.ts";
 import "./style.css";
-import "./view/ask.css";
-import "./view/result.css";
-import "./view/compose.css";
-import "./view/declared.css";
-import "./view/narrow.css";
-import "./view/edit.css";
-import "./view/comfort.css";
-import "./view/loading.css";
-import "./view/notes.css";
-import "./view/picture.css";
-import "./view/quiet.css";
-import "./view/surroundings.css";
-import { releaseOnLeaving } from "./view/hold.ts";
-import { Page } from "./view/Page.tsx";
-import { undoByKey } from "./view/undo_keys.ts";
-import { coreForbidden, coreNotLoaded } from "./words/loading.tsx";
+import { render } from "preact";
+import { startShortcuts } from "./action/shortcuts.ts";
+import { undoByKey } from "./action/undo_by_key.ts";
+import { fromFragment } from "./address/fragment.ts";
+import { releaseOnLeaving } from "./dom/hold.ts";
+import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
+import { keepAddress, restoreAddress } from "./state/keep_address.ts";
+import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
+import { createStore } from "./state/store.ts";
+import { isLazy } from "./view/frame/lazy_views.ts";
+import { Page } from "./view/frame/Page.tsx";
+import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 
 const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
@@ -35,7 +23,7 @@ const engine = isLazy(view) ? loadWholeEngine() : loadSmallEngine();
 
 engine.then(
   (engine) => {
-    const store = createStore(engine, location.hash);
+    const store = createStore(engine, location.hash, rememberedNumbers);
     root.replaceChildren();
     render(<Page store={store} />, root);
     keepAddress(store);
@@ -61,7 +49,7 @@ function isForbidden(error: unknown): boolean {
 
 /** Without a network on the first visit, the next one tries again. */
 const loadOffline = () =>
-  import("./offline.tsx").then(
+  import("./view/frame/offline.tsx").then(
     ({ keepOffline }) => keepOffline(),
     () => undefined,
   );

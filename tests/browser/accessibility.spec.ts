@@ -1,7 +1,7 @@
 // What those meet who do not see the page, or enlarge it: its tree of names and roles, what is said
 // aloud and how often, and whether everything fits.
 import type { Page } from "@playwright/test";
-import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support.ts";
+import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support/page.ts";
 
 const views = ["read", "compose", "translate", "identify", "libraries"] as const;
 
@@ -126,6 +126,34 @@ test("a result is said once, when the typing rests", async ({ page }) => {
   expect(await said()).toEqual([]);
   await page.clock.runFor(1000);
   expect(await said()).toEqual([expect.stringMatching(/a turn by 90.* about x/)]);
+});
+
+test("what was done is said by the one live region, beside the result", async ({ page }) => {
+  await open(page, "read");
+  await expect(page.locator("[aria-live], [role=status], [role=log]")).toHaveCount(1);
+  const region = page.getByRole("status");
+  // Only what changes is read out.
+  await expect(region).toHaveAttribute("aria-atomic", "false");
+  const done = region.locator("[data-said=done]");
+  const shown = region.locator(".said");
+  await page.keyboard.press("u");
+  await expect(done).toHaveText("Angles: radians");
+  await expect(shown).toHaveCount(0);
+  await page.getByRole("button", { name: "Copy Hamilton q" }).first().click();
+  await expect(done).toHaveText("Hamilton q copied");
+  // Nothing else on the page shows it.
+  await expect(shown).toHaveText("Hamilton q copied");
+  // The same words again are another text, or they would not be read out.
+  const before = await done.textContent();
+  await page.getByRole("button", { name: "Copy Hamilton q" }).first().click();
+  await expect.poll(() => done.textContent()).not.toBe(before);
+  await expect(done).toHaveText("Hamilton q copied");
+  await expect(shown).toHaveCount(0);
+  await page.keyboard.press("u");
+  await expect(done).toHaveText("Angles: degrees");
+  await quaternionField(page).fill("0 0 0 1");
+  await expect(done).toHaveText("");
+  await expect(region).toHaveText(/a turn by/);
 });
 
 test("turning the body is said once, when it rests", async ({ page }) => {

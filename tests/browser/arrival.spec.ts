@@ -1,6 +1,6 @@
 // A part of the page that does not arrive: words in its place, and a way to try again.
 import { expect, type Route, test } from "@playwright/test";
-import { matrix } from "./support.ts";
+import { matrix } from "./support/page.ts";
 
 const notFound = (route: Route) => route.fulfill({ status: 404, body: "not found" });
 const html = (route: Route) => route.fulfill({ contentType: "text/html", body: "<p>Hello</p>" });
@@ -12,7 +12,7 @@ for (const [what, part, answer] of [
   ["the main script is gone, as after a deploy", "**/index-*.js", notFound],
   ["the script that all share is gone", "**/preact-*.js", notFound],
   ["the host answers every address with a page", "**/index-*.js", html],
-  ["the connection breaks", "**/address-*.js", (route: Route) => route.abort()],
+  ["the connection breaks", "**/page_state-*.js", (route: Route) => route.abort()],
   ["the script cannot be read", "**/index-*.js", unreadable],
 ] as const) {
   test(`words and a way to try again where ${what}`, async ({ page }) => {

@@ -10,7 +10,7 @@ import {
   textsOf,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 /** Yaw 30°, pitch 20°, roll 10°: half angles multiplied out with 40 digits, rounded as shown. */
 const yawPitchRoll = "w 0.951549 x 0.038135 y 0.189308 z 0.239298";

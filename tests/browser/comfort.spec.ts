@@ -1,9 +1,10 @@
 // Settings that are remembered, the theme, the keys, and how the page looks in other surroundings.
 import type { Page } from "@playwright/test";
-import { fromFragment, opening, toFragment } from "../../www/address.ts";
-import { fromRadians, shownAngle, shownRoughAngle } from "../../www/format.ts";
-import { table } from "../../www/shortcuts.ts";
-import { shortcutWords } from "../../www/words/help.ts";
+import { table } from "../../www/action/shortcuts.ts";
+import { fromFragment, toFragment } from "../../www/address/fragment.ts";
+import { opening } from "../../www/model/page_state.ts";
+import { fromRadians, shownAngle, shownRoughAngle } from "../../www/number/format.ts";
+import { shortcutWords } from "../../www/words/frame/help.ts";
 import {
   expect,
   matrix,
@@ -13,7 +14,7 @@ import {
   tabTo,
   test,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 const radio = (page: Page, name: string) => page.getByRole("radio", { name, exact: true });
 const paper = (page: Page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);

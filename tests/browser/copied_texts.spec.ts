@@ -5,11 +5,11 @@ import { expect, test } from "@playwright/test";
 // @ts-expect-error three.js has no types of its own.
 import * as THREE from "three";
 import { analyze, initSync, presets } from "../../pkg/quatlas.js";
-import { type Copied, directionOfR } from "../../www/copy/copied.ts";
-import { type CodeFormat, canSay, formats } from "../../www/copy/formats.ts";
 import { columnValues, declaredValues, eulerValue, turnValues } from "../../www/copy/values.ts";
 import { preview, written } from "../../www/copy/write.ts";
 import type { Convention, EulerAxes, EulerFrame, ReadReport } from "../../www/engine.ts";
+import { type Copied, directionOfR } from "../../www/model/copied.ts";
+import { type CodeFormat, canSay, formats } from "../../www/model/copy_formats.ts";
 
 const root = new URL("../../", import.meta.url);
 initSync({ module: readFileSync(new URL("pkg/quatlas_bg.wasm", root)) });

@@ -1,6 +1,6 @@
 // The copy button and its menu of formats.
 import type { Page } from "@playwright/test";
-import { expect, test, violationsIn } from "./support.ts";
+import { expect, test, violationsIn } from "./support/page.ts";
 
 test.beforeEach(({ context }) => context.grantPermissions(["clipboard-read", "clipboard-write"]));
 

@@ -1,6 +1,6 @@
 // Every number of the result is a field: what is typed there becomes the text, by keyboard.
 import type { Locator, Page } from "@playwright/test";
-import { axisValues } from "../../www/address.ts";
+import { axisValues } from "../../www/model/conventions.ts";
 import {
   expect,
   matrix,
@@ -13,7 +13,7 @@ import {
   textsOf,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 const field = (page: Page, name: string) => page.getByRole("textbox", { name, exact: true });
 
@@ -340,7 +340,7 @@ test("undo and redo by key, in and across fields", async ({ page }) => {
   await page.getByRole("link", { name: "A ROS message" }).click();
   await expect(hero).toHaveValue(/^x: 0\.0/);
 
-  const said = page.locator("[data-said=undo]");
+  const said = page.locator("[data-said=done]");
   await page.keyboard.press("ControlOrMeta+z");
   await expect(page.getByRole("radio", { name: /^JPL/ })).toBeChecked();
   await expect(said).toHaveText("Undone: convention, quaternion, vector");

@@ -1,12 +1,19 @@
 // Every example of the gallery gives a result, and shows what its line promises.
 import type { Page } from "@playwright/test";
-import { fromFragment, opening, toFragment } from "../../www/address.ts";
-import { featured, stateOf } from "../../www/examples.ts";
-import { type ExampleName, exampleNames, exampleOf, gallery } from "../../www/gallery.ts";
-import { randomAttitude } from "../../www/random_attitude.ts";
-import { featuredNames, moreExamples } from "../../www/words/examples.ts";
-import { exampleWords } from "../../www/words/gallery.ts";
-import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
+import { fromFragment, toFragment } from "../../www/address/fragment.ts";
+import { stateOf } from "../../www/model/examples/example.ts";
+import { featured } from "../../www/model/examples/featured.ts";
+import {
+  type ExampleName,
+  exampleNames,
+  exampleOf,
+  gallery,
+} from "../../www/model/examples/gallery.ts";
+import { randomAttitude } from "../../www/model/examples/random_attitude.ts";
+import { opening } from "../../www/model/page_state.ts";
+import { featuredNames, moreExamples } from "../../www/words/examples/featured.ts";
+import { exampleWords } from "../../www/words/examples/gallery.ts";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
 
 const notes = (page: Page) => page.locator(".notes");
 const facts = (page: Page) => page.locator(".facts");

@@ -1,6 +1,6 @@
 // The picture under a finger: on the body it turns it, beside it the page is moved.
 import type { Page } from "@playwright/test";
-import { test as base, bodyOn, expect, fromX, quaternionField } from "./support.ts";
+import { test as base, bodyOn, expect, fromX, quaternionField } from "./support/page.ts";
 
 interface Point {
   x: number;

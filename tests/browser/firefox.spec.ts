@@ -2,7 +2,7 @@
 // because Playwright drives a Firefox of its own making only.
 import { test as base, expect } from "@playwright/test";
 import { launch, type Page } from "puppeteer-core";
-import { addresses, cutNumbers, isShown } from "./whole_numbers.ts";
+import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
 
 const executablePath = process.env["QUATLAS_FIREFOX"];
 

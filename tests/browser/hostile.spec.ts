@@ -1,8 +1,8 @@
 // Whatever the address or a field holds, the page lives on and nothing of it becomes markup or script.
 import type { Page } from "@playwright/test";
-import { hostileFragments, hostileTexts } from "./hostile_fragments.ts";
-import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
-import { violationsOf, watchViolations } from "./violations.ts";
+import { hostileFragments, hostileTexts } from "./support/hostile_fragments.ts";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
+import { violationsOf, watchViolations } from "./support/violations.ts";
 
 /** Longer than this, and the page is as good as dead. */
 const answerMs = 10_000;

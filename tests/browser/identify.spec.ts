@@ -8,7 +8,7 @@ import {
   test,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 const printed = (page: Page, number: number) =>
   page.getByRole("textbox", { name: `observation ${number} printed` });

@@ -7,7 +7,7 @@ import {
   test,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 test("opens on the whole table, with how each record is known", async ({ page }) => {
   await page.goto("/#libraries");

@@ -1,32 +1,36 @@
 // What the page loads, when, and how much of it; and that nothing moves meanwhile.
 import { type Page, test as plainTest } from "@playwright/test";
 import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
-import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 206_800;
+const firstBudget = 204_700;
 const lazyBudgets: Record<string, number> = {
-  "ComposePicture.js": 1_540,
+  "ComposePicture.js": 1_520,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
-  "Gallery.js": 2_530,
-  "Help.js": 940,
+  "Gallery.css": 350,
+  "Gallery.js": 2_520,
+  "Help.css": 440,
+  "Help.js": 930,
   "Identify.css": 2_350,
   "Identify.js": 9_220,
-  "Libraries.js": 4_170,
+  "Libraries.css": 1_230,
+  "Libraries.js": 4_150,
   "Popup.css": 180,
   "Popup.js": 780,
-  "ReadPicture.js": 2_300,
+  "ReadPicture.js": 2_280,
   "SharePanel.css": 350,
   "SharePanel.js": 1_880,
+  "Translate.css": 1_690,
   "Translate.js": 9_060,
   "apple_touch_icon.png": 3_140,
-  "code.js": 3_630,
+  "code.js": 3_560,
   "favicon.svg": 330,
   "icon_192.png": 5_510,
   "icon_512.png": 15_040,
   "icon_maskable_512.png": 7_920,
-  "libraries.css": 1_230,
+  "library.js": 1_600,
   "library_search.js": 470,
   "licences.txt": 13_010,
   "manifest.webmanifest": 400,
@@ -35,11 +39,9 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 610,
   "phrases.js": 220,
   "quatlas.js": 2_730,
-  "quatlas_bg.wasm": 273_100,
-  "save.js": 4_970,
-  "service_worker.js": 4_070,
-  "translate.css": 1_820,
-  "translate.js": 1_600,
+  "quatlas_bg.wasm": 273_010,
+  "save.js": 5_690,
+  "service_worker.js": 3_950,
 };
 
 test("the first load is within its budget", () => {

@@ -1,7 +1,7 @@
 // When a new version is said to be ready: a registration is simulated, so that what an engine tells of
 // it, and when, is in the hands of the test.
 import type { Page } from "@playwright/test";
-import { expect, matrix, test } from "./support.ts";
+import { expect, matrix, test } from "./support/page.ts";
 
 /** In the page, before its own scripts. */
 function simulate() {

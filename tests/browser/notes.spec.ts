@@ -9,7 +9,7 @@ import {
   tabTo,
   test,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 const notes = (page: Page) => page.locator(".notes li");
 const fix = (page: Page, name: string | RegExp) => page.getByRole("button", { name });

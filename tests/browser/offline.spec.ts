@@ -2,7 +2,6 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "@playwright/test";
-import { openSite, type Site } from "./site.ts";
 import {
   test as base,
   expect,
@@ -10,7 +9,8 @@ import {
   numbersOf,
   quaternionField,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
+import { openSite, type Site } from "./support/site.ts";
 
 const test = base.extend<{ site: Site }>({
   // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the names of the fixtures.

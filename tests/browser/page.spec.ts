@@ -9,7 +9,7 @@ import {
   textsOf,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 test("opens on 45° about z with every output filled", async ({ page }) => {
   await page.goto("/");

@@ -12,7 +12,7 @@ import {
   tabTo,
   test,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 async function press(page: Page, key: string, times: number) {
   for (let presses = 0; presses < times; presses += 1) await page.keyboard.press(key);

@@ -1,7 +1,7 @@
 // The content-security policy: as wanted, obeyed by every view, and refusing what is foreign.
 import { test as unwatched } from "@playwright/test";
-import { expect, openEverything, quaternionField, test } from "./support.ts";
-import { violationsOf, watchViolations } from "./violations.ts";
+import { expect, openEverything, quaternionField, test } from "./support/page.ts";
+import { violationsOf, watchViolations } from "./support/violations.ts";
 
 const policy = [
   "default-src 'none'",

@@ -2,7 +2,15 @@
 // multiplies, the matrix beside it, vectors of tangents, a sequence that is free; and what copies say.
 import { readFileSync } from "node:fs";
 import { initSync, presets } from "../../pkg/quatlas.js";
-import { expect, matrix, numberOf, numbersOf, openEverything, test, textsOf } from "./support.ts";
+import {
+  expect,
+  matrix,
+  numberOf,
+  numbersOf,
+  openEverything,
+  test,
+  textsOf,
+} from "./support/page.ts";
 
 initSync({ module: readFileSync(new URL("../../pkg/quatlas_bg.wasm", import.meta.url)) });
 

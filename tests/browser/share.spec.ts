@@ -1,7 +1,7 @@
 // Sharing: the link, as Markdown and as a citation; the version in the address and on the page.
 import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
-import { expect, sidewaysScroll, test, violationsIn } from "./support.ts";
+import { expect, sidewaysScroll, test, violationsIn } from "./support/page.ts";
 
 test.beforeEach(({ context }) => context.grantPermissions(["clipboard-read", "clipboard-write"]));
 

@@ -1,6 +1,6 @@
 // A core that cannot be loaded says why, and one that stops is made anew: nothing is permanent.
 import { type Page, test as unwatched } from "@playwright/test";
-import { expect, matrix, numbersOf, quaternionField, test } from "./support.ts";
+import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
 
 const quarterTurn = [0, -1, 0, 1, 0, 0, 0, 0, 1];
 

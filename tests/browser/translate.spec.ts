@@ -11,7 +11,7 @@ import {
   test,
   typeOver,
   violationsOf,
-} from "./support.ts";
+} from "./support/page.ts";
 
 const picker = (page: Page, side: "From" | "To") =>
   page.getByRole("combobox", { name: side, exact: true });

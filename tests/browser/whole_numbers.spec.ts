@@ -1,6 +1,6 @@
 // No number of any view is cut at any width, with any number of decimals. firefox.spec.ts has its own.
-import { expect, matrix, test } from "./support.ts";
-import { addresses, cutNumbers, isShown } from "./whole_numbers.ts";
+import { expect, matrix, test } from "./support/page.ts";
+import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
 
 const widths = [320, 390, 560, 768, 992, 1280, 1920];
 

@@ -7,8 +7,8 @@ import type {
   TranslateReport,
   Turn,
 } from "../engine.ts";
-import { isNormOne } from "../format.ts";
-import { citeWords as words } from "../words/share.ts";
+import { isNormOne } from "../number/format.ts";
+import { citeWords as words } from "../words/copy/citation.ts";
 
 /** Enough to recognise the case; the link holds every digit. */
 const significantDigits = 5;

@@ -1,8 +1,9 @@
 // Where a copied value comes from: what was typed, and the link to it.
 import { version } from "../../package.json";
-import { fromFragment, type PageState } from "../address.ts";
-import { endToText } from "../address_ends.ts";
-import type { Origin } from "./json.ts";
+import { endToText } from "../address/ends.ts";
+import { fromFragment } from "../address/fragment.ts";
+import type { PageState } from "../model/page_state.ts";
+import type { Origin } from "./writers/json.ts";
 
 /** The origin of a value that is shown in a place of the page. */
 export function originOf(place: Element | null): Origin {

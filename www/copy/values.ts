@@ -8,14 +8,15 @@ import type {
   ReadReport,
   TranslatedEnd,
 } from "../engine.ts";
-import { copiedWords as words } from "../words/copied.ts";
+import type { EndMatrix } from "../model/copied.ts";
 import {
   type Copied,
   type CopiedQuaternion,
   directionOfAction,
   type Rows,
   reversed,
-} from "./copied.ts";
+} from "../model/copied.ts";
+import { copiedWords as words } from "../words/copy/values.ts";
 
 const letterOf: Record<Handedness, string> = { right: "R", left: "C" };
 const signOf: Record<Handedness, string> = { right: "(.)", left: "(x)" };
@@ -125,9 +126,6 @@ export function eulerValue({ sequence, anglesRad }: ReadReport["euler"]): Copied
 export function endQuaternion({ components, convention }: TranslatedEnd): CopiedQuaternion {
   return quaternionValue("q", components, convention);
 }
-
-/** What the matrix of an end is: the one that the end prints of these numbers, or that of q/|q|. */
-export type EndMatrix = "as-printed" | "of-unit";
 
 /** The values of an end of a translation. */
 export function endValues(

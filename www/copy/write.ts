@@ -1,16 +1,16 @@
 // A value as code: its comment and its lines. Loaded when a copy first needs it.
-import { says } from "../words/copy.ts";
-import { type Copied, directionOfR } from "./copied.ts";
-import { eigen } from "./cpp.ts";
-import type { CodeFormat } from "./formats.ts";
-import { javascript, three } from "./javascript.ts";
-import { json, type Origin, testVector } from "./json.ts";
-import { latex } from "./latex.ts";
-import { matlab } from "./matlab.ts";
-import { ros } from "./message.ts";
-import { numpy, scipy } from "./python.ts";
-import { nalgebra } from "./rust.ts";
-import type { Writer } from "./writer.ts";
+import { type Copied, directionOfR } from "../model/copied.ts";
+import type { CodeFormat } from "../model/copy_formats.ts";
+import { says } from "../words/copy/comments.ts";
+import { eigen } from "./writers/cpp.ts";
+import { javascript, three } from "./writers/javascript.ts";
+import { json, type Origin, testVector } from "./writers/json.ts";
+import { latex } from "./writers/latex.ts";
+import { matlab } from "./writers/matlab.ts";
+import { ros } from "./writers/message.ts";
+import { numpy, scipy } from "./writers/python.ts";
+import { nalgebra } from "./writers/rust.ts";
+import type { Writer } from "./writers/writer.ts";
 
 type Language = Exclude<CodeFormat, "json" | "test-vector">;
 

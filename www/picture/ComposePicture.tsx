@@ -1,10 +1,10 @@
 // The picture of the Compose view: the same two turns about fixed and about moving axes, step by step.
 import { useId, useRef } from "preact/hooks";
-import type { Unit } from "../address.ts";
-import type { Step } from "../address_picture.ts";
 import type { ComposeReport, Handedness, Operand, Turn } from "../engine.ts";
-import { shownAxis, shownRoughAngle } from "../format.ts";
-import type { Freshness, Store } from "../state.ts";
+import type { Unit } from "../model/page_state.ts";
+import type { Step } from "../model/picture_state.ts";
+import { shownAxis, shownRoughAngle } from "../number/format.ts";
+import type { Freshness, Store } from "../state/store.ts";
 import { pictureWords, stepWords as words } from "../words/picture.ts";
 import { cameraOf } from "./camera.ts";
 import { type Axes, composeScene, type Stage as Made, stagesOf } from "./compose_scene.ts";

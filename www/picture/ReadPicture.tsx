@@ -1,11 +1,11 @@
 // The picture of the Read view: one attitude, its axis, a vector; turning it writes the quaternion.
 import { useId, useMemo, useRef } from "preact/hooks";
-import type { PictureState, Reading } from "../address_picture.ts";
+import { hold } from "../dom/hold.ts";
 import type { ReadReport } from "../engine.ts";
-import { shownArray, shownAxis, shownRoughAngle } from "../format.ts";
-import { declaredConvention, type Freshness, type Store } from "../state.ts";
-import { presetOf } from "../view/conventions.ts";
-import { hold } from "../view/hold.ts";
+import { presetOf } from "../model/conventions.ts";
+import type { PictureState, Reading } from "../model/picture_state.ts";
+import { shownArray, shownAxis, shownRoughAngle } from "../number/format.ts";
+import { declaredConvention, type Freshness, type Store } from "../state/store.ts";
 import { arrowOf, wordsOf } from "../words/conventions.ts";
 import {
   activeWords,

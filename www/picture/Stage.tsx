@@ -1,7 +1,8 @@
 // The drawing, and the hands on it: drag or arrow keys go round it, or turn the body.
 import { useRef } from "preact/hooks";
+import type { Look } from "../model/picture_state.ts";
 import { pictureWords as words } from "../words/picture.ts";
-import { cameraOf, type Look, orbited, paper, rollAsSeen, turnAsSeen } from "./camera.ts";
+import { cameraOf, orbited, paper, rollAsSeen, turnAsSeen } from "./camera.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { Scene } from "./scene.ts";
 import type { Quaternion } from "./space.ts";

@@ -1,13 +1,6 @@
 // Where the picture is seen from, and where a point of space stands on paper; pure.
+import type { Look } from "../model/picture_state.ts";
 import { cross, directionOf, dot, minus, plus, times, turnAbout, type Vector } from "./space.ts";
-
-/** The eye goes round the origin: azimuth from world x to y, elevation towards z. */
-export interface Look {
-  azimuthDeg: number;
-  elevationDeg: number;
-}
-
-export const firstLook: Look = { azimuthDeg: 30, elevationDeg: 22 };
 
 /** How far the eye is from the origin, in units of space. */
 const eyeDistance = 7;

@@ -1,6 +1,6 @@
 // Two turns one after the other, about fixed axes and about moving ones; pure.
-import type { Step } from "../address_picture.ts";
 import type { ComposeReport, Operand, Turn } from "../engine.ts";
+import type { Step } from "../model/picture_state.ts";
 import type { Camera } from "./camera.ts";
 import { bodyAxes, ground, outline, type Scene, scene, turningAxis, worldAxes } from "./scene.ts";
 import { composed, type Quaternion, turnAbout, turned, type Vector } from "./space.ts";

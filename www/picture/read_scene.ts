@@ -1,6 +1,6 @@
 // The scene of one attitude, from the report of the core; pure.
-import type { PictureState, Reading } from "../address_picture.ts";
 import type { ReadReport } from "../engine.ts";
+import type { PictureState, Reading } from "../model/picture_state.ts";
 import { type Camera, cameraOf } from "./camera.ts";
 import { visibleEdges } from "./occlusion.ts";
 import {

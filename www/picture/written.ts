@@ -1,6 +1,6 @@
 // A turned pose as text for the field, in the declared convention; pure.
-import type { Digits } from "../address.ts";
 import type { Convention, Rules } from "../engine.ts";
+import type { Digits } from "../model/page_state.ts";
 import type { Quaternion } from "./space.ts";
 
 const orders = {

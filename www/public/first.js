@@ -1,5 +1,5 @@
-// Before the first paint, and before any other script: the theme chosen by hand, of which settings.ts
-// does the rest; and what is said where no other script arrives that could say so.
+// Before the first paint, and before any other script: the theme chosen by hand, of which
+// state/settings.ts does the rest; and what is said where no other script arrives that could say so.
 try {
   const theme = localStorage.getItem("quatlas-theme");
   if (theme === "light" || theme === "dark") document.documentElement.dataset.theme = theme;

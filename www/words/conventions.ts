@@ -4,8 +4,8 @@
 // stand in the views.
 //
 // Here: what the texts, the two presets and the five axes are called; the same everywhere.
-import type { Axis } from "../address.ts";
 import type { ComponentOrder, Convention, Direction, Field } from "../engine.ts";
+import type { Axis, NamedConvention } from "../model/conventions.ts";
 
 /** What a text is called in formulas. */
 export const symbolOf: Record<Field, string> = {
@@ -65,13 +65,13 @@ export const wordsOf = {
 } as const;
 
 /** What the conventions are called that have a name. */
-export const conventionNames = {
+export const conventionNames: Record<NamedConvention, string> = {
   hamilton: "Hamilton",
   jpl: "JPL",
   hamiltonScalarLast: "Hamilton as Eigen and ROS store it",
   jplBodyToWorld: "JPL of Yoosefian 2021, eq. 18",
   myLab: "“My Lab” of the field guide",
-} as const;
+};
 
 /** What the values of each axis are called, and what they do. */
 export const axisWords: {

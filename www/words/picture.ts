@@ -1,5 +1,5 @@
 // The words of the picture.
-import type { Reading } from "../address_picture.ts";
+import type { Reading } from "../model/picture_state.ts";
 
 export const pictureWords = {
   name: "Picture",

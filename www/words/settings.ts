@@ -1,6 +1,6 @@
 // How the page is shown: decimals, angles, theme.
-import type { Digits, Unit } from "../address.ts";
-import type { ShortcutsChoice, Theme } from "../settings.ts";
+import type { Digits, Unit } from "../model/page_state.ts";
+import type { ShortcutsChoice, Theme } from "../model/settings.ts";
 
 export const decimalsLabel = "Decimals";
 export const digitsWords: Record<Digits, string> = { "4": "4", "6": "6", all: "all" };

@@ -1,0 +1,231 @@
+// What mends an input: for each note and each problem, another text or another declaration.
+import type {
+  ComponentOrder,
+  Components,
+  Field,
+  Note,
+  ReadQuaternion,
+  ReadReport,
+} from "../engine.ts";
+import { axes, operatorOf } from "../model/conventions.ts";
+import type { PageState, View } from "../model/page_state.ts";
+import { exact } from "../number/format.ts";
+import { announce } from "../state/announcement.ts";
+import { declaredConvention, type Store } from "../state/store.ts";
+import { lettersOf, symbolOf } from "../words/conventions.ts";
+import { doneWords, fixWords, otherOrder, remedyWords } from "../words/parts/notes.tsx";
+
+export interface Fix {
+  /** What it does, as its button says. */
+  label: string;
+  /** A new text ends what was to be said; a declaration may leave it to be said the other way round. */
+  changes: "text" | "declaration";
+  /** Computed where it is used, not on every keystroke; nothing where it cannot be. */
+  change: () => Partial<PageState> | undefined;
+}
+
+/** The field whose text a problem or a note is about, as the state names it. */
+export type TextName =
+  | "quaternion"
+  | "p"
+  | "q"
+  | "vector"
+  | "translated"
+  | "worldAxes"
+  | "bodyAxes";
+
+const textNames: Partial<Record<Field, TextName>> = {
+  quaternion: "quaternion",
+  p: "p",
+  q: "q",
+  vector: "vector",
+  "world-axes": "worldAxes",
+  "body-axes": "bodyAxes",
+};
+
+function textNameOf(field: Field, view: View): TextName | undefined {
+  return view === "translate" && field === "quaternion" ? "translated" : textNames[field];
+}
+
+/** What may be written in place of a text with a problem. */
+export function fixOfProblem(store: Store, field: Field): Fix | undefined {
+  const name = textNameOf(field, store.state.value.view);
+  const suggestion = store.problemOf(field)?.suggestion;
+  if (name === undefined || suggestion === undefined) return undefined;
+  return {
+    label: remedyWords[suggestion.remedy],
+    changes: "text",
+    change: () => ({ [name]: suggestion.text }),
+  };
+}
+
+/** What a note can be answered with, in the order of the buttons. */
+export function fixesOfNote(store: Store, { field, fact }: Note): Fix[] {
+  const { view } = store.state.value;
+  const name = textNameOf(field, view);
+  if (name === undefined) return [];
+  const symbol = symbolOf[field];
+  const writes = (label: string, text: (report: ReadReport) => string): Fix => ({
+    label,
+    changes: "text",
+    change: () => {
+      const report = readAlone(store, field, name);
+      return report && { [name]: text(report) };
+    },
+  });
+  const writesText = (label: string, text: string | undefined): Fix[] =>
+    text === undefined ? [] : [{ label, changes: "text", change: () => ({ [name]: text }) }];
+  const normalises = writes(fixWords.normalise(symbol), ({ declared, quaternion }) =>
+    named(declared.unit, quaternion),
+  );
+  switch (fact.kind) {
+    case "normalised":
+      return [normalises];
+    case "out-of-range":
+      return fact.what === "inverse" || fact.what === "norm" ? [normalises] : [];
+    case "negative-scalar":
+      return [negates(store, field, name)];
+    case "order-from-text":
+      return declaresOrder(store, fact.order, fixWords.declare);
+    case "order-assumed":
+    case "unknown-constructor":
+      return declaresOrder(store, otherOrder[fact.order], fixWords.readAs);
+    case "angle-unit-assumed": {
+      const degrees = writesText(fixWords.degrees, fact.inDegrees);
+      const radians = writesText(fixWords.radians, fact.inRadians);
+      // Degrees are what is meant nearly always: where they were taken, and where they were not.
+      return [...degrees, ...radians];
+    }
+    case "rows-assumed":
+      return [writes(fixWords.columns, ({ quaternion: { form } }) => transposedRows(form))];
+    case "axes-as-columns":
+      return [writes(fixWords.rows, ({ quaternion: { form } }) => transposedRows(form))];
+    case "nearest-rotation":
+      return view === "translate" ? [] : [writes(fixWords.nearestRotation, nearestRows)];
+    default:
+      return [];
+  }
+}
+
+/** Writes the quaternion of the other sign, which is the same rotation. */
+export function negates(store: Store, field: Field, name: TextName): Fix {
+  return {
+    label: fixWords.negate(symbolOf[field]),
+    changes: "text",
+    change: () => {
+      const quaternion = readAlone(store, field, name)?.quaternion;
+      if (quaternion === undefined) return undefined;
+      const { w, x, y, z } = quaternion.components;
+      return { [name]: named({ w: 0 - w, x: 0 - x, y: 0 - y, z: 0 - z }, quaternion) };
+    },
+  };
+}
+
+/** The notes of the view that is shown, where they are about its texts as they are now. */
+function currentNotes(store: Store): readonly Note[] {
+  const { view } = store.state.value;
+  if (view !== "read" && view !== "compose" && view !== "translate") return [];
+  const result = store[view].value;
+  return result?.freshness === "current" ? result.report.notes : [];
+}
+
+/** The fix that the key applies in a field: one that settles something, before another declaration. */
+export function keyFix(store: Store, field: Field): Fix | undefined {
+  const ofProblem = fixOfProblem(store, field);
+  if (ofProblem !== undefined) return ofProblem;
+  const fixes = currentNotes(store)
+    .filter((note) => note.field === field)
+    .flatMap((note) => fixesOfNote(store, note));
+  return fixes.find(({ changes }) => changes === "text") ?? fixes[0];
+}
+
+/** What the key does in a field. */
+export function applyFirst(store: Store, field: Field): boolean {
+  const fix = keyFix(store, field);
+  if (fix !== undefined) apply(store, fix);
+  return fix !== undefined;
+}
+
+export function apply(store: Store, fix: Fix) {
+  const change = fix.change();
+  if (change === undefined) return;
+  store.set(change);
+  announce(doneWords(fix.label));
+}
+
+/** What one text alone is, in the convention in which it was read. */
+function readAlone(store: Store, field: Field, name: TextName): ReadReport | undefined {
+  const state = store.state.peek();
+  const read = quaternionOf(store, field);
+  if (read === undefined) return undefined;
+  const { form, convention } = read;
+  const outcome = store.engine.analyze({
+    view: "read",
+    quaternion: state[name],
+    vector: "1 0 0",
+    convention,
+    matrix: form.kind === "matrix" ? form.convention : state.matrix,
+    euler: state.euler,
+  });
+  return outcome.status === "read" ? outcome : undefined;
+}
+
+function quaternionOf(store: Store, field: Field): ReadQuaternion | undefined {
+  switch (store.state.peek().view) {
+    case "read":
+      return store.read.peek()?.report.quaternion;
+    case "compose": {
+      const report = store.compose.peek()?.report;
+      return field === "p" ? report?.p : report?.q;
+    }
+    case "translate":
+      return store.translate.peek()?.report.quaternion;
+    default:
+      return undefined;
+  }
+}
+
+/** With names, so that no order is needed; in the order that was used. */
+function named(
+  components: Pick<Components, "w" | "x" | "y" | "z">,
+  { convention }: ReadQuaternion,
+): string {
+  const letters = lettersOf[convention.order].split(" ") as ("w" | "x" | "y" | "z")[];
+  return letters.map((letter) => `${letter}=${exact(components[letter])}`).join(" ");
+}
+
+function declaresOrder(
+  store: Store,
+  order: ComponentOrder,
+  label: (letters: string) => string,
+): Fix[] {
+  const state = store.state.peek();
+  // There the order is that of the library.
+  if (state.view === "translate") return [];
+  return [
+    {
+      label: label(lettersOf[order]),
+      changes: "declaration",
+      change: () => {
+        const preset = store.engine[state.preset];
+        const changed = { ...declaredConvention(store.state.peek(), store.engine), order };
+        const differing = axes.filter((axis) => changed[axis] !== preset[axis]);
+        return { axes: Object.fromEntries(differing.map((axis) => [axis, changed[axis]])) };
+      },
+    },
+  ];
+}
+
+const rowsText = (rows: readonly (readonly number[])[]) =>
+  rows.map((row) => row.map(exact).join(" ")).join("\n");
+
+function transposedRows(form: ReadQuaternion["form"]): string {
+  if (form.kind !== "matrix") return "";
+  return rowsText(form.rows.map((_, column) => form.rows.map((row) => row[column] ?? 0)));
+}
+
+function nearestRows({ quaternion: { form }, hamilton }: ReadReport): string {
+  if (form.kind !== "matrix") return "";
+  const isBodyToWorld = operatorOf(form.convention) === "body-to-world";
+  return rowsText(isBodyToWorld ? hamilton.matrix : hamilton.inverseMatrix);
+}

@@ -1,0 +1,40 @@
+// Rust with nalgebra.
+import { isNormOne } from "../../number/format.ts";
+import { factors, float, listed, scalarFirst } from "./numbers.ts";
+import type { Writer } from "./writer.ts";
+
+const vector = (numbers: readonly number[]) => `Vector3::new(${listed(numbers, float)})`;
+
+export const nalgebra: Writer = {
+  comment: "//",
+  lines: {
+    // A `UnitQuaternion` is of norm 1, and `from_quaternion` would make any other so.
+    quaternion: ({ components, norm }) => {
+      const quaternion = `Quaternion::new(${listed(scalarFirst(components), float)})`;
+      return isNormOne(norm)
+        ? [`let q = UnitQuaternion::from_quaternion(${quaternion});`]
+        : [`let q = ${quaternion};`];
+    },
+    // Row by row, although nalgebra keeps its matrices column by column.
+    matrix: ({ rows }) => [
+      `let m = Matrix${rows.length}::new(`,
+      ...rows.map((row) => `    ${listed(row, float)},`),
+      ");",
+    ],
+    vector: ({ numbers }) => [`let v = ${vector(numbers)};`],
+    "axis-angle": ({ axis, angleRad }) => [
+      `let q = UnitQuaternion::from_axis_angle(&Unit::new_normalize(${vector(axis)}), ${float(angleRad)});`,
+    ],
+    "rotation-vector": ({ vectorRad }) => [
+      `let q = UnitQuaternion::from_scaled_axis(${vector(vectorRad)});`,
+    ],
+    euler: ({ sequence: { axes, frame }, anglesRad }) => [
+      `let q = ${factors(axes, frame, anglesRad)
+        .map(
+          ({ axis, angle }) =>
+            `UnitQuaternion::from_axis_angle(&Vector3::${axis}_axis(), ${float(angle)})`,
+        )
+        .join("\n    * ")};`,
+    ],
+  },
+};

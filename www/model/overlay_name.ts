@@ -1,0 +1,3 @@
+// The dialogs over the page.
+
+export type OverlayName = "help" | "gallery";

@@ -1,0 +1,128 @@
+// The frame of the page: name, views, the view itself, and what is said aloud.
+import type { VNode } from "preact";
+import { useEffect } from "preact/hooks";
+import { toFragment } from "../../address/fragment.ts";
+import { type Digits, type Unit, type View, views } from "../../model/page_state.ts";
+import { shown, shownAngle, shownAxis } from "../../number/format.ts";
+import type { Store } from "../../state/store.ts";
+import { symbolOf } from "../../words/conventions.ts";
+import * as words from "../../words/frame/page.tsx";
+import { Compose } from "../compose/Compose.tsx";
+import { nameOf } from "../parts/convention_names.ts";
+import { namesInOrder } from "../parts/Value.tsx";
+import { Read } from "../read/Read.tsx";
+import { Announcements } from "./Announcements.tsx";
+import { Lazy } from "./Lazy.tsx";
+import { isLazy, load, loadingOf } from "./lazy_views.ts";
+import { Overlay } from "./Overlay.tsx";
+import { NewerLink, Share, Version } from "./Share.tsx";
+import { Tools } from "./Tools.tsx";
+import "./page.css";
+
+/** The views of the first load. */
+const firstViews = { read: Read, compose: Compose };
+
+export function Page({ store }: { store: Store }) {
+  const state = store.state.value;
+  const failure = store.failure.value;
+  const title = words.title(words.viewNames[state.view]);
+  useEffect(() => {
+    document.title = title;
+  }, [title]);
+  return (
+    <>
+      <button type="button" class="skip" onClick={() => focusResult()}>
+        {words.skip}
+      </button>
+      <header class="masthead">
+        <h1 class="wordmark">{words.name}</h1>
+        <p class="tagline">{words.tagline}</p>
+        <nav class="views" aria-label={words.views}>
+          {views.map((view) => (
+            <a
+              key={view}
+              href={`#${toFragment({ ...state, view })}`}
+              aria-current={state.view === view ? "page" : undefined}
+              // A pointer on the way to a view has a moment in which it can be loaded.
+              onPointerEnter={() => isLazy(view) && load(view, store)}
+            >
+              {words.viewNames[view]}
+            </a>
+          ))}
+        </nav>
+        <Tools>
+          <Share store={store} />
+        </Tools>
+      </header>
+      <main>
+        <NewerLink store={store} />
+        {failure !== undefined && (
+          <p class="failure" role="alert">
+            {words.failure(failure)}
+          </p>
+        )}
+        <Shown key={state.view} view={state.view} store={store} />
+      </main>
+      <footer class="colophon">
+        <p>
+          {words.colophon} <Version /> <a href="./licences.txt">{words.licences}</a>
+        </p>
+      </footer>
+      <Announcements result={spoken(store)} of={state} />
+      <Overlay store={store} />
+    </>
+  );
+}
+
+/** Past the fields and examples, to the numbers. */
+function focusResult() {
+  const result =
+    document.querySelector<HTMLElement>("main .result") ?? document.querySelector("main");
+  if (result === null) return;
+  result.tabIndex = -1;
+  result.focus();
+}
+
+function Shown({ view, store }: { view: View; store: Store }): VNode {
+  if (isLazy(view)) return <Lazy view={view} name={words.viewNames[view]} store={store} />;
+  const First = firstViews[view];
+  return <First store={store} />;
+}
+
+/** What a screen reader hears when the result changes. */
+function spoken(store: Store): string {
+  const { view, digits, unit } = store.state.value;
+  const problems = store.problems.value.map((problem) =>
+    words.spokenProblem(symbolOf[problem.field], problem),
+  );
+  if (problems.length > 0) return problems.join(" ");
+  switch (view) {
+    case "read":
+      return spokenTurn(store, digits, unit);
+    case "compose":
+      return spokenProduct(store, digits);
+    default: {
+      const loading = loadingOf[view].value;
+      return loading.status === "loaded" ? loading.spoken(store) : "";
+    }
+  }
+}
+
+function spokenProduct(store: Store, digits: Digits): string {
+  const product = store.compose.value?.report.declared;
+  if (product === undefined) return "";
+  const { convention, quaternion } = product;
+  const numbers = namesInOrder(convention).map(
+    (name) => `${name} ${shown(quaternion[name], digits)}`,
+  );
+  const name = nameOf(convention, store.engine) ?? words.yourConvention;
+  return words.spokenProduct(name, numbers);
+}
+
+function spokenTurn(store: Store, digits: Digits, unit: Unit): string {
+  const turn = store.read.value?.report.turn;
+  if (turn === undefined) return "";
+  if (turn.axis === undefined) return words.spokenNoTurn;
+  const angle = { degrees: turn.angleDeg, radians: turn.angleRad };
+  return words.spokenTurn(shownAngle(angle, digits, unit), shownAxis(turn.axis, digits));
+}

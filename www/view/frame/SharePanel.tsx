@@ -1,0 +1,109 @@
+// The link, the link as Markdown and the sentence that cites the case. Loaded when it is opened.
+import { version } from "../../../package.json";
+import { versionedFragment } from "../../address/fragment.ts";
+import { citeCompose, citeRead, citeTranslation, markdownLink } from "../../copy/cite.ts";
+import { putOnClipboard } from "../../dom/clipboard.ts";
+import type { Endpoint } from "../../engine.ts";
+import { announceVisibly } from "../../state/announcement.ts";
+import type { Store } from "../../state/store.ts";
+import { citeWords } from "../../words/copy/citation.ts";
+import { panelWords as words } from "../../words/frame/share_panel.ts";
+import { nameOf } from "../parts/convention_names.ts";
+import { Popup } from "../parts/Popup.tsx";
+import "./share_panel.css";
+
+export interface PanelProps {
+  store: Store;
+  anchor: HTMLElement;
+  close: () => void;
+}
+
+export function SharePanel({ store, anchor, close }: PanelProps) {
+  const link = `${location.href.split("#")[0]}#${sharedFragment(store)}`;
+  const sentence = sentenceOf(store);
+  return (
+    <Popup anchor={anchor} close={close} role="dialog" label={words.panel} kind="share-panel">
+      <Line name={words.link} text={link} />
+      <Line name={words.markdown} text={markdownLink(titleOf(store), link)} />
+      {sentence === undefined ? null : sentence === "" ? (
+        <p>{words.noCase}</p>
+      ) : (
+        <Line name={words.citation} text={citeWords.source(sentence, version, link)} />
+      )}
+    </Popup>
+  );
+}
+
+function Line({ name, text }: { name: string; text: string }) {
+  const copy = async () => {
+    const isAllowed = await putOnClipboard(text);
+    announceVisibly(isAllowed ? words.copied(name) : words.notAllowed(name));
+  };
+  return (
+    <button type="button" aria-label={words.copy(name)} onClick={copy}>
+      <strong>{name}</strong>
+      <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true">
+        <path d="M5.5 5.5 h7 v8 h-7 z M10.5 5.5 v-3 h-7 v8 h2" />
+      </svg>
+      <span class="share-text">{text}</span>
+    </button>
+  );
+}
+
+/** The address of the state, always with its version; a link of a newer quatlas stays what it is. */
+function sharedFragment(store: Store): string {
+  if (store.isLinkNewer.value) return location.hash.replace(/^#/, "");
+  return versionedFragment(store.state.value);
+}
+
+/** What the link opens, in words. */
+function titleOf(store: Store): string {
+  const { titles } = citeWords;
+  const state = store.state.value;
+  switch (state.view) {
+    case "read":
+      return titles.read(state.quaternion);
+    case "compose":
+      return titles.compose(state.p, state.q);
+    case "translate":
+      return titles.translate(endNameOf(state.from, store), endNameOf(state.to, store));
+    case "identify":
+      return titles.identify(state.libraryName);
+    case "libraries":
+      return titles.libraries;
+  }
+}
+
+/** The sentence of a view that shows a case: empty while its text has a problem. */
+function sentenceOf(store: Store): string | undefined {
+  switch (store.state.value.view) {
+    case "read":
+      return current(store.read.value, citeRead);
+    case "compose":
+      return current(store.compose.value, citeCompose);
+    case "translate":
+      return current(store.translate.value, (report) =>
+        citeTranslation(report, {
+          from: endNameOf(store.state.value.from, store),
+          to: endNameOf(store.state.value.to, store),
+        }),
+      );
+    default:
+      return undefined;
+  }
+}
+
+function current<Report>(
+  shown: { report: Report; freshness: string } | undefined,
+  cite: (report: Report) => string,
+): string {
+  return shown?.freshness === "current" ? cite(shown.report) : "";
+}
+
+/** The name of a library or of a convention. */
+function endNameOf(end: Endpoint, { engine }: Store): string {
+  if (end.kind === "convention") {
+    return nameOf(end.convention, engine) ?? citeWords.convention(end.convention);
+  }
+  return engine.libraries.find(({ id }) => id === end.id)?.name ?? end.id;
+}

@@ -1,0 +1,60 @@
+// The views that are not in the first load. Each is a file of its own, and asks the whole core.
+import { type Signal, signal } from "@preact/signals";
+import type { VNode } from "preact";
+import { loadWholeEngine } from "../../engine.ts";
+import type { View } from "../../model/page_state.ts";
+import type { Store } from "../../state/store.ts";
+
+export interface LoadedView {
+  Shown: (props: { store: Store }) => VNode;
+  /** What a screen reader hears when the result changes. */
+  spoken: (store: Store) => string;
+}
+
+const files = {
+  translate: async () => {
+    const { Translate, spokenTranslation } = await import("../translate/Translate.tsx");
+    return { Shown: Translate, spoken: spokenTranslation };
+  },
+  identify: async () => {
+    const { Identify, spokenIdentity } = await import("../identify/Identify.tsx");
+    return { Shown: Identify, spoken: spokenIdentity };
+  },
+  libraries: async () => {
+    const { Libraries, spokenLibraries } = await import("../libraries/Libraries.tsx");
+    return { Shown: Libraries, spoken: spokenLibraries };
+  },
+} satisfies Partial<Record<View, () => Promise<LoadedView>>>;
+export type LazyView = keyof typeof files;
+
+export type Loading =
+  | { status: "asleep" | "loading" }
+  | { status: "failed"; reason: string }
+  | ({ status: "loaded" } & LoadedView);
+
+/** How far each view is. */
+export const loadingOf: Record<LazyView, Signal<Loading>> = {
+  translate: signal({ status: "asleep" }),
+  identify: signal({ status: "asleep" }),
+  libraries: signal({ status: "asleep" }),
+};
+
+export function isLazy(view: View): view is LazyView {
+  return view in files;
+}
+
+/** Loads a view and the whole core, unless that is done or under way. It never throws. */
+export async function load(view: LazyView, store: Store) {
+  const loading = loadingOf[view];
+  const { status } = loading.peek();
+  if (status === "loading" || status === "loaded") return;
+  loading.value = { status: "loading" };
+  try {
+    const [loaded, engine] = await Promise.all([files[view](), loadWholeEngine()]);
+    // First the core: what is shown of the view already has its answers.
+    store.useEngine(engine);
+    loading.value = { status: "loaded", ...loaded };
+  } catch (error) {
+    loading.value = { status: "failed", reason: String(error) };
+  }
+}

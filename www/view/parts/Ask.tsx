@@ -1,0 +1,110 @@
+// What is asked: text fields and the declared convention.
+import type { ComponentChildren } from "preact";
+import { fixOfProblem } from "../../action/fixes.ts";
+import type { Problem } from "../../engine.ts";
+import type { Freshness, Store } from "../../state/store.ts";
+import { symbolOf } from "../../words/conventions.ts";
+import { problemWords } from "../../words/parts/notes.tsx";
+import { MoreAxes } from "./MoreAxes.tsx";
+import { FixButton } from "./Notes.tsx";
+import { NumberSettings } from "./NumberSettings.tsx";
+import { problemId, TextField } from "./TextField.tsx";
+import "./ask.css";
+
+/** What is asked beside the rotations: the vector, the decimals, the axes; and what is said of all. */
+export function AskRest({
+  store,
+  freshness,
+  examples,
+  children,
+}: {
+  store: Store;
+  /** Of the result below. */
+  freshness: Freshness | undefined;
+  examples?: ComponentChildren;
+  /** How the texts were read. */
+  children: ComponentChildren;
+}) {
+  return (
+    <>
+      <div class="ask-row">
+        <TextField store={store} field="vector" />
+        <NumberSettings store={store} />
+      </div>
+      {examples}
+      <MoreAxes store={store} />
+      <AskStatus store={store} freshness={freshness}>
+        {children}
+      </AskStatus>
+    </>
+  );
+}
+
+/**
+ * What is said about the texts: how they were read, or what stands in the way. One place for both,
+ * so that nothing moves while a text is typed.
+ */
+export function AskStatus({
+  store,
+  freshness,
+  children,
+}: {
+  store: Store;
+  /** Of the result below. */
+  freshness: Freshness | undefined;
+  children: ComponentChildren;
+}) {
+  const problems = store.problems.value;
+  return (
+    <div class="ask-status">
+      {problems.length === 0
+        ? children
+        : problems.map((problem, at) => (
+            <ProblemWords key={problem.field} store={store} problem={problem}>
+              {at === 0 && (
+                <span class="old-result">
+                  {freshness === "opening" ? problemWords.opening : problemWords.old}
+                </span>
+              )}
+            </ProblemWords>
+          ))}
+    </div>
+  );
+}
+
+/** A problem, what was expected, and what to do: by hand, or with the button that does it. */
+function ProblemWords({
+  store,
+  problem: { field, message, expected, hint, suggestion },
+  children,
+}: {
+  store: Store;
+  problem: Problem;
+  /** What stands at the end of its first line. */
+  children: ComponentChildren;
+}) {
+  const fix = fixOfProblem(store, field);
+  return (
+    <div class="problem" id={problemId(field)}>
+      <p class="problem-head">
+        <span class="problem-message">
+          <var>{symbolOf[field]}</var>: <bdi>{message}</bdi>.
+        </span>{" "}
+        {children}
+      </p>
+      <p class="problem-help">
+        <span>
+          <span class="problem-key">{problemWords.expected}</span> {expected}.{" "}
+          <span class={fix && "problem-by-hand"}>
+            <span class="problem-key">{problemWords.try}</span> {hint}.
+          </span>
+        </span>
+        {fix && (
+          <FixButton store={store} field={field} fix={fix}>
+            <code class="fix-text">{suggestion?.text}</code>
+          </FixButton>
+        )}
+      </p>
+    </div>
+  );
+}

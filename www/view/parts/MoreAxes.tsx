@@ -1,0 +1,85 @@
+// *More*: the five axes of the declared convention, and how nine typed numbers are read.
+import type { Convention, MatrixConvention } from "../../engine.ts";
+import {
+  type Axis,
+  axes,
+  declarationOf,
+  differing,
+  namedConventions,
+  namedOf,
+  operatorOf,
+} from "../../model/conventions.ts";
+import { declaredConvention, type Store } from "../../state/store.ts";
+import { conventionNames } from "../../words/conventions.ts";
+import * as words from "../../words/parts/more_axes.tsx";
+import { AxisChoice } from "./AxisChoice.tsx";
+import { fiveWords, nameOf } from "./convention_names.ts";
+import { MatrixOf } from "./RulesList.tsx";
+import "./more_axes.css";
+
+export function MoreAxes({ store }: { store: Store }) {
+  const state = store.state.value;
+  const convention = declaredConvention(state, store.engine);
+  const base = store.engine[state.preset];
+  const setAxis = (axis: Axis, value: string) =>
+    store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
+  const namedNow = namedOf(convention, store.engine);
+  const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
+  const setMatrix = (axis: keyof MatrixConvention, value: string) =>
+    store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
+  return (
+    <details class="more">
+      <summary>
+        {words.more}{" "}
+        <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
+      </summary>
+      <div class="more-panel">
+        <div class="named-conventions">
+          <span id="named-conventions">{words.named}</span>
+          <ul aria-labelledby="named-conventions">
+            {namedConventions.map((name) => (
+              <li key={name}>
+                <button
+                  type="button"
+                  class="quiet"
+                  aria-pressed={name === namedNow}
+                  onClick={() => store.set(declarationOf(name, store.engine))}
+                >
+                  {conventionNames[name]}
+                </button>
+              </li>
+            ))}
+          </ul>
+        </div>
+        <p>{words.five}</p>
+        <div class="axis-choices">
+          {axes.map((axis) => (
+            <AxisChoice
+              key={axis}
+              axis={axis}
+              group={axis}
+              chosen={convention[axis]}
+              choose={(value) => setAxis(axis, value)}
+            />
+          ))}
+        </div>
+        <p>
+          {words.matrix(operatorOf(state.matrix))}
+          {form && words.beside(<MatrixOf form={form} />)}
+        </p>
+        <div class="axis-choices">
+          {(["function", "direction"] as const).map((axis) => (
+            <AxisChoice
+              key={axis}
+              axis={axis}
+              group={`matrix-${axis}`}
+              of={words.ofMatrix}
+              chosen={state.matrix[axis]}
+              choose={(value) => setMatrix(axis, value)}
+            />
+          ))}
+        </div>
+      </div>
+    </details>
+  );
+}

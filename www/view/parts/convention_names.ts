@@ -1,0 +1,21 @@
+// What a convention is called, by its name or in its five words.
+import type { Convention, Engine } from "../../engine.ts";
+import { type Axis, axes, namedOf } from "../../model/conventions.ts";
+import { axisWords, conventionNames } from "../../words/conventions.ts";
+
+/** The word of a value, and what it does. */
+export function valueWords(axis: Axis, value: string): [string, string] {
+  const words: Record<string, [string, string]> = axisWords[axis].values;
+  return words[value] ?? [value, ""];
+}
+
+/** A convention in its five words. */
+export function fiveWords(convention: Convention): string {
+  return axes.map((axis) => valueWords(axis, convention[axis])[0]).join(", ");
+}
+
+/** The name of a convention that has one. */
+export function nameOf(convention: Convention, engine: Engine): string | undefined {
+  const named = namedOf(convention, engine);
+  return named && conventionNames[named];
+}

@@ -1,0 +1,62 @@
+// What is established of a library, and how it is named beside its behaviour.
+import type {
+  ComponentOrder,
+  Endpoint,
+  Engine,
+  Family,
+  Group,
+  Library,
+  TranslatedEnd,
+} from "../../engine.ts";
+import { lettersOf } from "../../words/conventions.ts";
+import {
+  customConvention,
+  familyWords,
+  groupNames,
+  knownWords,
+} from "../../words/library_behaviour.ts";
+import { nameOf } from "./convention_names.ts";
+
+export const groups = Object.keys(groupNames) as Group[];
+
+/** The accent of a family: the two labels have one, the others none. */
+export function accentOf(family: Family | undefined): "hamilton" | "jpl" | "custom" {
+  if (family === "hamilton") return "hamilton";
+  return family === "shuster" ? "jpl" : "custom";
+}
+
+export function libraryWith(engine: Engine, id: string | undefined): Library | undefined {
+  return engine.libraries.find((library) => library.id === id);
+}
+
+/** What an end is called. */
+export function endName(end: Endpoint, engine: Engine): string {
+  if (end.kind === "library") return libraryWith(engine, end.id)?.name ?? end.id;
+  return nameOf(end.convention, engine) ?? customConvention;
+}
+
+/** The orders in which four numbers of a library stand: one, two, or none that is established. */
+export function ordersOf(library: Library): ComponentOrder[] {
+  return [...new Set([library.arrayOrder, library.constructorOrder])].filter(
+    (order) => order !== undefined,
+  );
+}
+
+/** What is established of the way a library acts; nothing that the core assumed. */
+export function establishedOf(end: TranslatedEnd | undefined) {
+  const acts = end !== undefined && !end.assumed.includes("action");
+  return {
+    action: acts ? end.action : undefined,
+    family: acts ? end.family : undefined,
+    first: acts ? end.firstToAct : undefined,
+  };
+}
+
+/** `x y z w, Hamilton · 1.17.1, run`. */
+export function aboutLibrary(library: Library, engine: Engine): string {
+  const { family } = establishedOf(engine.endOf(library.id));
+  const orders = ordersOf(library).map((order) => lettersOf[order]);
+  const behaviour = [orders.join(" / "), family && familyWords[family][0]].filter(Boolean);
+  const known = `${library.version}, ${knownWords[library.known][0]}`;
+  return behaviour.length === 0 ? known : `${behaviour.join(", ")} · ${known}`;
+}

@@ -1,0 +1,122 @@
+// The Read view: one attitude, both conventions side by side.
+import { toFragment } from "../../address/fragment.ts";
+
+import type { ReadReport } from "../../engine.ts";
+import { presetLike } from "../../model/conventions.ts";
+import { stateOf } from "../../model/examples/example.ts";
+import { type FeaturedName, featured } from "../../model/examples/featured.ts";
+import { shown, shownArray } from "../../number/format.ts";
+import { showOverlay } from "../../state/overlay.ts";
+import type { Store } from "../../state/store.ts";
+import { examplesLabel, featuredNames, moreExamples } from "../../words/examples/featured.ts";
+import * as words from "../../words/parts/ask.ts";
+import { AskRest } from "../parts/Ask.tsx";
+import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
+import { NamedComponents } from "../parts/Form.tsx";
+import { Notes } from "../parts/Notes.tsx";
+import { Picture } from "../parts/Picture.tsx";
+import { TextField } from "../parts/TextField.tsx";
+import { UndoRedo } from "../parts/UndoRedo.tsx";
+import { ConventionColumn } from "./Column.tsx";
+import { DeclaredCard } from "./Declared.tsx";
+import { Facts } from "./Facts.tsx";
+import { Relation } from "./Relation.tsx";
+import "../parts/examples.css";
+import "../parts/result.css";
+
+export function Read({ store }: { store: Store }) {
+  const shownResult = store.read.value;
+  return (
+    <>
+      <div class="ask-and-picture">
+        <section class="ask" aria-label={words.input}>
+          <div class="ask-row">
+            <TextField store={store} field="quaternion" />
+            <ConventionSwitch store={store} />
+            <UndoRedo store={store} />
+          </div>
+          <AskRest
+            store={store}
+            freshness={shownResult?.freshness}
+            examples={<Examples store={store} />}
+          >
+            {shownResult && <ReadAs report={shownResult.report} store={store} />}
+          </AskRest>
+        </section>
+        <Picture store={store} of="read" />
+      </div>
+      {shownResult && (
+        <div class={`result ${shownResult.freshness}`}>
+          <Result report={shownResult.report} store={store} />
+        </div>
+      )}
+    </>
+  );
+}
+
+/** Links, so that going back returns to what was typed before. */
+function Examples({ store }: { store: Store }) {
+  return (
+    <div class="examples">
+      <span id="examples-label">{examplesLabel}</span>
+      <ul aria-labelledby="examples-label">
+        {Object.entries(featured).map(([name, example]) => (
+          <li key={name}>
+            <a href={`#${toFragment(stateOf(example, store.state.value))}`}>
+              {featuredNames[name as FeaturedName]}
+            </a>
+          </li>
+        ))}
+      </ul>
+      <button type="button" aria-haspopup="dialog" onClick={() => showOverlay("gallery")}>
+        {moreExamples}
+      </button>
+    </div>
+  );
+}
+
+function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits, unit } = store.state.value;
+  return (
+    <div class="read-as">
+      <p>
+        {words.readAs}{" "}
+        <NamedComponents quaternion={report.quaternion} digits={digits} unit={unit} />
+        {report.quaternion.form.kind === "quaternion" && report.quaternion.norm !== undefined && (
+          <span class="read-as-part">
+            {words.norm} <code>{shown(report.quaternion.norm, digits)}</code>
+          </span>
+        )}
+        <span class="read-as-part">
+          <var>x</var> = <code>{shownArray(report.vector, digits)}</code>
+        </span>
+      </p>
+      <Notes notes={report.notes} store={store} />
+    </div>
+  );
+}
+
+function Result({ report, store }: { report: ReadReport; store: Store }) {
+  const { digits } = store.state.value;
+  // What the numbers were declared as, which is not the switch's state while a text has a problem.
+  const declared = presetLike(report.quaternion.convention, store.engine);
+  return (
+    <>
+      {declared === undefined && <DeclaredCard report={report} store={store} digits={digits} />}
+      <div class="columns">
+        {(["hamilton", "jpl"] as const).map((preset) => (
+          <ConventionColumn
+            key={preset}
+            store={store}
+            preset={preset}
+            declared={declared}
+            column={report[preset]}
+            digits={digits}
+          />
+        ))}
+      </div>
+      <Relation report={report} digits={digits} declared={declared} />
+      <Facts report={report} store={store} />
+    </>
+  );
+}

@@ -1,0 +1,36 @@
+// The sentence that cites a case, and what a link to it is called.
+import type { Convention } from "../../engine.ts";
+
+const directions: Record<Convention["direction"], string> = {
+  "body-to-world": "body to world",
+  "world-to-body": "world to body",
+};
+
+/** The parts of a citation. */
+export const citeWords = {
+  convention: ({ order, handedness, function: does, direction }: Convention) =>
+    `${handedness === "right" ? "Hamilton" : "JPL"} (${order === "scalar-first" ? "w x y z" : "x y z w"}, ${
+      does === "active" ? "active, " : ""
+    }${directions[direction]})`,
+  unitQuaternion: (numbers: string) => `Unit quaternion ${numbers}`,
+  quaternion: (numbers: string, norm: string | undefined) =>
+    `Quaternion ${numbers} of ${norm === undefined ? "a norm beyond a double" : `norm ${norm}`}`,
+  turn: (angle: string, axis: string) => `${angle} about ${axis}`,
+  noTurn: "no turn",
+  read: (quaternion: string, convention: string, turn: string) =>
+    `${quaternion}, ${convention}: ${turn}.`,
+  compose: (p: string, sign: string, q: string, product: string, convention: string) =>
+    `${p} ${sign} ${q} = ${product}, ${convention}: the right one acts first.`,
+  translate: (quaternion: string, from: string, to: string, becomes: string, turn: string) =>
+    `${quaternion} of ${from} is ${becomes} in ${to}: ${turn}.`,
+  source: (sentence: string, version: string, link: string) =>
+    `${sentence} quatlas ${version}, ${link}`,
+  /** What a link is called. */
+  titles: {
+    read: (text: string) => `quatlas: ${text}`,
+    compose: (p: string, q: string) => `quatlas: ${p} and ${q}`,
+    translate: (from: string, to: string) => `quatlas: ${from} to ${to}`,
+    identify: (name: string) => `quatlas: the convention of ${name}`,
+    libraries: "quatlas: what libraries do with quaternions",
+  },
+};

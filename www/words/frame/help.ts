@@ -1,0 +1,41 @@
+// What the keys do.
+import type { Preset, View } from "../../model/page_state.ts";
+import type { ShortcutName } from "../../model/shortcut_name.ts";
+
+const goTo = (view: string) => `Go to ${view}`;
+const declare = (preset: string) => `Declare the text as ${preset}`;
+
+export const viewShortcutWords: Record<View, string> = {
+  read: goTo("Read"),
+  compose: goTo("Compose"),
+  translate: goTo("Translate"),
+  identify: goTo("Identify"),
+  libraries: goTo("Libraries"),
+};
+
+export const presetShortcutWords: Record<Preset, string> = {
+  hamilton: declare("Hamilton"),
+  jpl: declare("JPL"),
+};
+
+export const shortcutWords: Record<ShortcutName, string> = {
+  ...viewShortcutWords,
+  ...presetShortcutWords,
+  field: "Go to the first text field",
+  copy: "Copy the quaternion",
+  digits: "More or fewer decimals",
+  unit: "Angles in degrees or radians",
+  theme: "Light, dark or as the system",
+  gallery: "Open the examples",
+  help: "Open this list",
+  undo: "Undo",
+  redo: "Redo",
+  mend: "Mend the text of the field as the first button says",
+};
+
+export const orWord = "or";
+export const thenWord = "then";
+
+export const whereTheyAct =
+  "A key alone acts while no text field has the focus. Undo, redo and mending act in text fields too. On the picture the arrow keys look round, and with Shift they turn the body.";
+export const remembered = "The theme and this choice are remembered in this browser only.";

@@ -1,0 +1,40 @@
+// The words of the frame of the page, and what is said aloud of a result.
+import type { View } from "../../model/page_state.ts";
+
+export const name = "quatlas";
+export const title = (view: string) => `${name} · ${view}`;
+export const skip = "Go to the result";
+export const tagline = "One rotation, every convention.";
+export const views = "Views";
+export const viewNames: Record<View, string> = {
+  read: "Read",
+  compose: "Compose",
+  translate: "Translate",
+  identify: "Identify",
+  libraries: "Libraries",
+};
+
+/** What a mistake of ours looks like. */
+export const failure = (message: string) => (
+  <>
+    The core stopped on this input, which is a mistake in quatlas, not in your text:{" "}
+    <code>{message}</code>. The last good result stays below; go on with another text, or reload the
+    page.
+  </>
+);
+
+export const colophon =
+  "Computed in your browser; nothing you type is sent anywhere. The address of the page holds what you typed: share it as a link.";
+
+export const licences = "Licences";
+
+export const spokenProblem = (
+  symbol: string,
+  { message, expected, hint }: { message: string; expected: string; hint: string },
+) => `Problem in ${symbol}: ${message}. Expected ${expected}. Try ${hint}.`;
+export const yourConvention = "your convention";
+export const spokenProduct = (convention: string, numbers: readonly string[]) =>
+  `Result: p times q in ${convention}: ${numbers.join(", ")}.`;
+export const spokenNoTurn = "Result: no turn.";
+export const spokenTurn = (angle: string, axis: string) =>
+  `Result: a turn by ${angle} about ${axis}.`;

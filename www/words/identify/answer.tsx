@@ -1,0 +1,36 @@
+// What is said of the library that is asked about.
+import { numbered } from "../phrases.ts";
+import { allBehaviours } from "./choices.ts";
+
+export const left = (possible: number) =>
+  `${possible} of ${allBehaviours} behaviours ${possible === 1 ? "is" : "are"} left`;
+
+export const copied = "the sentence for an issue";
+export const fromBeforeContradiction =
+  "What stands below is the last result, from before the contradiction.";
+
+export const fromBeforeChange = (places: readonly number[]) =>
+  `What stands below is the last result, from before the change of ${theObservations(places)}.`;
+
+export const ofOthers = "What stands below is what the other observations say.";
+
+export const uncounted = (places: readonly number[]) =>
+  `Not counted: ${theObservations(places)}, which ${places.length === 1 ? "tells" : "tell"} nothing yet.`;
+
+export const choices = (
+  <>
+    <span class="visually-hidden">The eight choices and the values that are left. </span>
+    <var>R</var>(<var>q</var>) is Hamilton's matrix, and <var>C</var>(<var>q</var>) its transpose.
+  </>
+);
+
+export const ofLibrary = "What it does";
+export const ofUse = "How it is used";
+export const settled = (count: number, all: number) => `${count} of ${all} settled`;
+
+/** Said before a value. */
+export const standing = { settled: "settled: ", open: "possible: ", out: "ruled out: " };
+
+function theObservations(places: readonly number[]): string {
+  return `observation${places.length === 1 ? "" : "s"} ${numbered(places)}`;
+}

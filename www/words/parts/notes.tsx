@@ -1,0 +1,256 @@
+// What is said of an input, and what the buttons that mend it are called.
+import type { ComponentChildren } from "preact";
+import type { ComponentOrder, Note, OrderSource, OutOfRangeNumber, Remedy } from "../../engine.ts";
+import type { Digits, Unit } from "../../model/page_state.ts";
+import { shown, shownRoughAngle } from "../../number/format.ts";
+import { lettersOf, symbolOf } from "../conventions.ts";
+
+export const otherOrder: Record<ComponentOrder, ComponentOrder> = {
+  "scalar-first": "scalar-last",
+  "scalar-last": "scalar-first",
+};
+
+const sources: Record<OrderSource, string> = {
+  declared: "declaration",
+  named: "names",
+  grouped: "brackets",
+  constructor: "constructor",
+};
+
+const outOfRange: Record<OutOfRangeNumber, string> = {
+  norm: "Numbers for the new axes with this norm are beyond the range of a double; those of norm 1 are shown.",
+  inverse: "The inverse is beyond the range of a double and is left out.",
+  image: "The turned vector is beyond the range of a double and is left out.",
+  product:
+    "The product of the numbers as typed is beyond the range of a double; that of norm 1 is shown.",
+};
+
+/** A number of two or three digits, for a sentence. */
+const rough = (number: number, precision = 2) =>
+  shown(Number(number.toPrecision(precision)), "all");
+
+const roughDegrees = (degrees: number) => shownRoughAngle(degrees, "degrees", 2);
+
+/** What there is to know, as one plain line. */
+export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): ComponentChildren {
+  const symbol = <var>{symbolOf[field]}</var>;
+  switch (fact.kind) {
+    case "normalised":
+      return fact.norm === undefined || fact.deviation === undefined ? (
+        <>The norm is beyond the range of a double; the matrices use the quaternion of norm 1.</>
+      ) : (
+        <>
+          The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
+          <code>{rough(fact.deviation)}</code>: the matrices use {symbol}/|{symbol}|.
+        </>
+      );
+    case "order-from-text":
+      return (
+        <>
+          The text tells its order by its {sources[fact.source]} ({lettersOf[fact.order]}
+          ), which is not the declared one; the text wins.
+        </>
+      );
+    case "order-assumed":
+      return (
+        <>
+          Bare numbers do not tell their order: read as{" "}
+          <code class="letters">{lettersOf[fact.order]}</code>. As{" "}
+          <code class="letters">{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
+          <code>{shownRoughAngle(fact.otherOrderDiffersByDeg, unit)}</code> away.
+        </>
+      );
+    case "order-invisible":
+      return (
+        <>
+          This input cannot show its order: as <code class="letters">w x y z</code> and as{" "}
+          <code class="letters">x y z w</code> it is the same rotation. Test with another one.
+        </>
+      );
+    case "unknown-constructor":
+      return (
+        <>
+          The order of <code>{fact.name}</code> is not known here: read as{" "}
+          <code class="letters">{lettersOf[fact.order]}</code>, as declared.
+        </>
+      );
+    case "angle-unit-assumed":
+      return fact.unit === "degrees" ? (
+        <>
+          The angles have no unit: read as <strong>degrees</strong>, since one of them is more than
+          a full turn in radians.
+        </>
+      ) : (
+        <>
+          The angles have no unit: read as <strong>radians</strong>.
+        </>
+      );
+    case "rows-assumed":
+      return (
+        <>
+          Nothing marks the rows of the nine numbers: read row by row. Column by column they are the
+          opposite turn, <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
+        </>
+      );
+    case "axes-as-columns":
+      return (
+        <>
+          Vectors with the names of axes are the turned axes: read as the columns of the matrix. As
+          rows they are the opposite turn,{" "}
+          <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
+        </>
+      );
+    case "nearest-rotation":
+      return (
+        <>
+          The matrix is not quite a rotation (<var>M</var>
+          <sup>T</sup>
+          <var>M</var> is off from <var>I</var> by up to{" "}
+          <code>{rough(fact.orthogonalityError)}</code>): the nearest rotation is used,{" "}
+          <code>{rough(fact.correction)}</code> away.
+        </>
+      );
+    case "negative-scalar":
+      return (
+        <>
+          The scalar is negative: −{symbol} is the same rotation, one more turn away, and names the
+          shorter turn, which is the one given below.
+        </>
+      );
+    case "no-turn":
+      return (
+        <>
+          This is no turn at all. Apart from the order of the numbers, it tells no convention from
+          another.
+        </>
+      );
+    case "nearly-no-turn":
+      return (
+        <>
+          Nearly no turn, <code>{roughDegrees(fact.angleDeg)}</code> (
+          <code>{rough(fact.angleRad)}</code> rad): in a quaternion of six decimals the axis{" "}
+          {fact.axisUncertainByDeg === undefined ? (
+            <>is lost.</>
+          ) : (
+            <>
+              is off by up to <code>{shownRoughAngle(fact.axisUncertainByDeg, unit, 2)}</code>.
+            </>
+          )}
+        </>
+      );
+    case "half-turn":
+      return (
+        <>
+          Half a turn: the axis and its opposite are equally right, and the matrix is its own
+          transpose. Apart from the order of the numbers, it tells no convention from another.
+        </>
+      );
+    case "nearly-half-turn":
+      return (
+        <>
+          Nearly half a turn, short of it by <code>{roughDegrees(fact.shortByDeg)}</code> (
+          <code>{rough(fact.shortByRad)}</code> rad): rounding may turn the axis round, and {symbol}{" "}
+          into −{symbol}.
+        </>
+      );
+    case "out-of-range":
+      return outOfRange[fact.what];
+  }
+}
+
+/** What the buttons that mend an input are called. */
+export const fixWords = {
+  normalise: (symbol: string) => `Write ${symbol}/|${symbol}|`,
+  negate: (symbol: string) => `Write −${symbol}`,
+  readAs: (letters: string) => `Read as ${letters}`,
+  declare: (letters: string) => `Declare ${letters}`,
+  degrees: "These are degrees",
+  radians: "These are radians",
+  columns: "Read column by column",
+  rows: "Read row by row",
+  nearestRotation: "Write the nearest rotation",
+};
+
+/** What was done, for those who do not see it. */
+export const doneWords = (label: string) => `Done: ${label}.`;
+
+/** What the buttons beside a problem are called. */
+export const remedyWords: Record<Remedy, string> = {
+  "match-brackets": "Mend the brackets",
+  "decimal-points": "Write decimal points",
+  "plain-characters": "Write plain characters",
+  "remove-mark": "Remove the mark",
+  "attach-sign": "Join the sign to its number",
+  "separate-numbers": "Separate the numbers",
+  "add-sign": "Add the sign",
+  "add-zeros": "Write 0 for what is missing",
+  "name-number": "Name the number",
+  "same-unit": "Write the unit",
+  "write-zero": "Write 0",
+  "write-identity": "Write the identity, no turn",
+  "rotation-part": "Keep the rotation part",
+  "restore-axis": "Turn the axis round",
+  "nearest-rotation": "Write the nearest rotation",
+};
+
+export const fixKey = "Alt+Enter";
+
+export const problemWords = {
+  expected: "Expected",
+  try: "Try",
+  old: "What stands below is the last result, from before this problem.",
+  opening: "What stands below is the example that the page opens with.",
+};
+
+/** The scalar's sign does not matter, which is plain to few. */
+export const otherSign = {
+  heading: "The other sign",
+  words: (
+    <>
+      −<var>q</var>, as <code class="letters">w x y z</code>: <var>q</var> and −<var>q</var> are the
+      same rotation. The inverse is another one.
+    </>
+  ),
+};
+
+/** What is left of the angles at gimbal lock; `names` are those of the three angles. */
+export function gimbalLockWords({
+  names,
+  sign,
+  survivor,
+  lost,
+  distance,
+}: {
+  names: readonly string[];
+  sign: string;
+  survivor: string;
+  lost: string | undefined;
+  /** From the lock; absent exactly at it. */
+  distance: string | undefined;
+}): ComponentChildren {
+  return (
+    <>
+      <strong>Gimbal lock</strong>
+      {distance !== undefined && (
+        <>
+          {" "}
+          (<code>{distance}</code> from it)
+        </>
+      )}
+      : the outer axes are one line, and only {names[0]} {sign} {names[2]} = <code>{survivor}</code>{" "}
+      is determined; {lost} is lost and set to 0.
+    </>
+  );
+}
+
+/** What a small distance from gimbal lock does to the angles. */
+export function nearLockWords(distanceDeg: number, unit: Unit): ComponentChildren {
+  const times = 180 / (Math.PI * distanceDeg);
+  return (
+    <>
+      <strong>Near gimbal lock</strong> (<code>{shownRoughAngle(distanceDeg, unit, 2)}</code> from
+      it): an error of the attitude is up to <code>{rough(times)}</code> times as large in the outer
+      angles.
+    </>
+  );
+}

@@ -1,0 +1,25 @@
+// What goes wrong in a translation.
+import type { ComponentChildren } from "preact";
+import type { MistakeKind, TranslateReport } from "../../engine.ts";
+
+export const title = "What goes wrong with these numbers";
+export const none = "no difference: these numbers do not show the mistake, others will";
+export const off = (angle: ComponentChildren) => <>{angle} off</>;
+
+const mistakeWords: Record<MistakeKind, string> = {
+  copied: "copied as they are",
+  "not-reordered": "not reordered",
+  "not-conjugated": "not conjugated",
+  "conjugated-needlessly": "conjugated, though it must not be",
+  "constructor-order": "passed to the constructor as the array stands",
+  "axes-kept": "axes not changed",
+};
+
+/** A mistake; where two things are to be done, one of them may be done and the other not. */
+export function mistakeOf(kind: MistakeKind, change: TranslateReport["change"]): string {
+  if (change === "reordered-and-conjugated") {
+    if (kind === "not-reordered") return "conjugated, but not reordered";
+    if (kind === "not-conjugated") return "reordered, but not conjugated";
+  }
+  return mistakeWords[kind];
+}

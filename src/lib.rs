@@ -91,9 +91,12 @@ pub mod analyze;
 pub mod wasm;
 
 pub use analyze::analyze;
+pub use analyze::describe::describe_convention;
 pub use analyze::identify::recognition::{
     EulerReading, direction_of_yawed, function_of_chain, increment_of,
 };
+pub use analyze::identify::standard_probes;
+pub use analyze::translate::describe_library;
 pub use contract::probe::{MatrixLayout, Probe, ProbeKind};
 pub use contract::request::{
     ComposeRequest, IdentifyRequest, ReadRequest, Request, TranslateRequest,
@@ -101,7 +104,9 @@ pub use contract::request::{
 pub use contract::*;
 pub use convention::angle::{AngleUnit, UnitSource};
 pub use convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
+pub use convention::family::Family;
 pub use convention::matrix::{CosineMatrix, MatrixConvention};
+pub use convention::named::NamedConvention;
 pub use convention::side::{IncrementSign, Side};
 pub use convention::{
     ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, OrderSource,
@@ -135,7 +140,7 @@ pub use rotation::{NoRotation, Rotation};
 pub use text::description::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedHalfAngleVector, ParsedRotation, ParsedRotationVector,
 };
-pub use text::{ParsedQuaternion, parse_quaternion, parse_rotation, parse_vector};
+pub use text::{ParsedQuaternion, parse_number, parse_quaternion, parse_rotation, parse_vector};
 
 /// Why things are as they are, and what was given up for it.
 #[cfg(doc)]

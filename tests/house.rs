@@ -97,6 +97,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "library",
             "batch",
             "trajectory",
+            "text",
             "contract",
             "analyze",
         ],

@@ -235,6 +235,7 @@ impl Attitude {
             left_product_matrix: rows4(&quaternion.left_product_matrix()),
             right_product_matrix: rows4(&quaternion.right_product_matrix()),
             rules: rules(convention),
+            named: convention.named(),
         }
     }
 

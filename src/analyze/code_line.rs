@@ -28,10 +28,7 @@ pub(crate) fn write_in_order(
         Some((next, place))
     });
     let Components { w, x, y, z, .. } = components;
-    let numbers = match order {
-        ComponentOrder::ScalarFirst => [w, x, y, z],
-        ComponentOrder::ScalarLast => [x, y, z, w],
-    };
+    let numbers = order.array([w, x, y, z]);
     let mut line = String::new();
     let mut rest = 0;
     for number in numbers {

@@ -2,10 +2,10 @@
 //! multiplies.
 
 use crate::analyze::plain::{coordinates, plain};
-use crate::contract::{Euler, ReadGimbalLock, Rules, Turn};
+use crate::contract::{ConventionDescription, Euler, ReadGimbalLock, Rules, Turn};
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::side::Side;
-use crate::convention::{ComponentSign, Convention};
+use crate::convention::{ComponentSign, Convention, Direction};
 use crate::motion::kinematics::RateAxes;
 use crate::rotation::Rotation;
 use crate::rotation::precise::UNIT_ROUNDOFF;
@@ -26,6 +26,30 @@ pub(crate) fn rules(convention: Convention) -> Rules {
         chain_first: side(convention.first_in_chain_is_left()),
         increment: convention.increment_side(),
         body_rate: convention.rate_side(RateAxes::Body),
+    }
+}
+
+/// What a convention is called and does, whatever the attitude.
+///
+/// ```
+/// use quatlas::{Convention, Direction, NamedConvention, describe_convention};
+/// let described = describe_convention(Convention::JPL);
+/// assert_eq!(described.named, Some(NamedConvention::Jpl));
+/// // It acts from world to body by C(q); the R(q) of its numbers is the other way round.
+/// assert_eq!(described.rules.operator, Direction::WorldToBody);
+/// assert_eq!(described.hamilton_matrix, Direction::BodyToWorld);
+/// ```
+#[must_use]
+pub fn describe_convention(convention: Convention) -> ConventionDescription {
+    ConventionDescription {
+        named: convention.named(),
+        preset: convention.preset(),
+        hamilton_matrix: match convention.component_sign() {
+            ComponentSign::Canonical => Direction::BodyToWorld,
+            ComponentSign::Conjugated => Direction::WorldToBody,
+        },
+        reversed: convention.reversed(),
+        rules: rules(convention),
     }
 }
 

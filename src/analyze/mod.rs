@@ -13,8 +13,8 @@ mod code_line;
 // Two quaternions together.
 pub(crate) mod compose;
 
-// A rotation in the representations that need no text.
-mod describe;
+/// What a convention is called and does, and a rotation in the representations that need no text.
+pub mod describe;
 
 /// Which convention a library uses.
 pub mod identify;
@@ -31,8 +31,8 @@ mod plain;
 // What one attitude means.
 pub(crate) mod read;
 
-// From one end of a translation to the other.
-pub(crate) mod translate;
+/// From one end of a translation to the other.
+pub mod translate;
 
 // The text of a vector.
 mod vector;

@@ -7,12 +7,11 @@ use crate::contract::{
     AxesAsColumns, Fact, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note, OrderAssumed,
     OrderFromText, RowsAssumed, UnknownConstructor, UsedNearestRotation,
 };
-use crate::convention::{ComponentOrder, OrderSource};
+use crate::convention::{Convention, OrderSource};
 use crate::problem::Field;
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};
 use crate::text::RowMarks;
-use nalgebra::Quaternion;
 
 /// Nearer than this, in radians, to no turn or to half a turn, rounding decides more than the text.
 ///
@@ -140,16 +139,12 @@ impl Attitude {
 
     /// The attitude if the same four numbers stood in the other order.
     fn read_in_other_order(&self) -> Option<Rotation> {
-        let Quaternion { coords } = self.tagged.components;
-        let (w, x, y, z) = (coords.w, coords.x, coords.y, coords.z);
-        let moved = match self.tagged.convention.order {
-            ComponentOrder::ScalarFirst => Quaternion::new(z, w, x, y),
-            ComponentOrder::ScalarLast => Quaternion::new(x, y, z, w),
+        let convention = self.tagged.convention;
+        let other = Convention {
+            order: convention.order.other(),
+            ..convention
         };
-        Rotation::from_tagged(&TaggedQuaternion {
-            components: moved,
-            ..self.tagged
-        })
-        .ok()
+        let moved = TaggedQuaternion::from_array(self.tagged.to_array(), other);
+        Rotation::from_tagged(&moved).ok()
     }
 }

@@ -12,11 +12,9 @@ pub(crate) fn plain(number: f64) -> f64 {
 
 impl Components {
     pub(crate) fn of(quaternion: &Quaternion<f64>, order: ComponentOrder) -> Self {
-        let [w, x, y, z] = [quaternion.w, quaternion.i, quaternion.j, quaternion.k].map(plain);
-        let array = match order {
-            ComponentOrder::ScalarFirst => [w, x, y, z],
-            ComponentOrder::ScalarLast => [x, y, z, w],
-        };
+        let components = [quaternion.w, quaternion.i, quaternion.j, quaternion.k].map(plain);
+        let [w, x, y, z] = components;
+        let array = order.array(components);
         let norm = Norm::of(&array).value();
         Self {
             w,

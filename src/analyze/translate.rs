@@ -6,14 +6,15 @@ use crate::analyze::describe::turn;
 use crate::analyze::plain::{plain, rows3};
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
-    AxesReport, Change, Components, Fact, MappedAxes, Mistake, MistakeKind, Note, OutOfRange,
-    OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd,
+    AxesReport, Change, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind,
+    Note, OutOfRange, OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport,
+    TranslatedEnd,
 };
 use crate::convention::OrderSource;
 use crate::convention::{ComponentOrder, Convention};
 use crate::frames::axis_mapping::{AxesChange, AxisMapping};
 use crate::library::endpoint::{Endpoint, Meaning};
-use crate::library::{Library, family, first_to_act, libraries, stores_columns};
+use crate::library::{Library, libraries, stores_columns};
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::Suggestion;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
@@ -204,6 +205,29 @@ fn axes(text: &str, field: Field) -> Result<AxisMapping, Problem> {
     })
 }
 
+/// What a library does by itself, whatever the attitude; `None` for an id that no library has.
+///
+/// ```
+/// use quatlas::{Family, Side, describe_library};
+/// // Its product is JPL's and it rotates by R(q), so of a * b the left operand acts first.
+/// let described = describe_library("directxmath").expect("a library of the table");
+/// assert_eq!(described.family, Some(Family::ReversedProduct));
+/// assert_eq!(described.first_to_act, Some(Side::Left));
+/// ```
+#[must_use]
+pub fn describe_library(id: &str) -> Option<LibraryDescription> {
+    let meaning = Meaning::of(&Endpoint::library(id))?;
+    Some(LibraryDescription {
+        convention: meaning.numbers(),
+        order: meaning.order,
+        action: meaning.action,
+        direction: meaning.direction,
+        family: meaning.family(),
+        first_to_act: meaning.first_to_act(),
+        assumed: meaning.assumed,
+    })
+}
+
 fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> TranslatedEnd {
     let components = Components::of(&numbers.components, meaning.order);
     let library = meaning.library;
@@ -218,12 +242,8 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
         handedness: meaning.handedness,
         action: meaning.action,
         direction: meaning.direction,
-        family: meaning
-            .handedness
-            .map(|handedness| family(handedness, meaning.action)),
-        first_to_act: meaning
-            .handedness
-            .map(|handedness| first_to_act(handedness, meaning.action)),
+        family: meaning.family(),
+        first_to_act: meaning.first_to_act(),
         matrix: meaning.matrix.map(|printed| PrintedMatrix {
             rows: rows3(&rotation.matrix(meaning.direction_of(printed.form))),
             form: printed.form,
@@ -275,11 +295,9 @@ fn mistakes(
     rotation: &Rotation,
 ) -> Vec<Mistake> {
     let not_reordered = |numbers: &TaggedQuaternion| {
-        let mut array = numbers.to_array();
-        match from.order {
-            ComponentOrder::ScalarFirst => array.rotate_right(1),
-            ComponentOrder::ScalarLast => array.rotate_left(1),
-        }
+        // As they stood at the first end, in places that are those of the other order.
+        let array = from.order.array(numbers.to_array());
+        let array = from.order.other().components(array);
         TaggedQuaternion::from_array(array, numbers.convention)
     };
     let passed_on = match to.library.and_then(|library| library.constructor_order) {

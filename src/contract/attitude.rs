@@ -3,6 +3,7 @@
 use crate::convention::OrderSource;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::matrix::{CosineMatrix, MatrixConvention};
+use crate::convention::named::NamedConvention;
 use crate::convention::side::Side;
 use crate::convention::{Convention, Direction};
 use crate::rotation::euler::Survivor;
@@ -141,6 +142,23 @@ pub struct Rules {
     pub body_rate: Side,
 }
 
+/// What a convention is called and what it does, whatever the attitude.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ConventionDescription {
+    /// Its name, whichever its perturbation is; absent where it has none.
+    pub named: Option<NamedConvention>,
+    /// Hamilton or JPL, where the numbers are the same as of that preset but for their places.
+    pub preset: Option<NamedConvention>,
+    /// The direction of `R(q)` of these numbers; `C(q)` has the other one.
+    pub hamilton_matrix: Direction,
+    /// The convention in which the conjugate of a quaternion is the same attitude.
+    pub reversed: Convention,
+    /// What it multiplies in which order.
+    pub rules: Rules,
+}
+
 /// The matrix of the attitude in the convention that nine numbers are declared in: with the declared
 /// convention of four numbers, a pairing (specification, section 1.7 and MODEL-09).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -183,6 +201,8 @@ pub struct Column {
     pub right_product_matrix: [[f64; 4]; 4],
     /// What this convention multiplies in which order.
     pub rules: Rules,
+    /// The name of this convention, whichever its perturbation is; absent where it has none.
+    pub named: Option<NamedConvention>,
 }
 
 /// Four components by name, and as an array in the order of the convention beside them.

@@ -1,6 +1,7 @@
 //! What the identification of a library answers.
 
 use crate::contract::probe::Probe;
+use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::{IncrementSign, Side};
 use crate::convention::{
@@ -24,6 +25,8 @@ pub struct IdentifyReport {
     pub possible: usize,
     /// The values of each choice that are still possible.
     pub remaining: Remaining,
+    /// How its product and its rotation belong together; absent until both are settled.
+    pub family: Option<Family>,
     /// The choices of which one value is left, in the order of [`BehaviourAxis`].
     pub settled: Vec<BehaviourAxis>,
     /// The labels that fit: what no numbers can tell apart (specification, MODEL-10).
@@ -199,6 +202,14 @@ fn values<Value: Copy + PartialEq>(
 }
 
 impl Remaining {
+    /// How product and rotation belong together, once both are settled.
+    pub(crate) fn family(&self) -> Option<Family> {
+        match (&self.handedness[..], &self.rotate[..]) {
+            ([handedness], [rotate]) => Some(Family::of(*handedness, *rotate)),
+            _ => None,
+        }
+    }
+
     /// The choices of which one value is left.
     pub(crate) fn settled(&self) -> Vec<BehaviourAxis> {
         let counts = [

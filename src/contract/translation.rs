@@ -2,12 +2,13 @@
 
 use crate::contract::attitude::{Components, ReadQuaternion, Turn};
 use crate::contract::note::Note;
+use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::Side;
 use crate::convention::{ComponentOrder, ComponentSign, Convention, Direction, Handedness};
 use crate::frames::axis_mapping::{AxesHand, AxisMapping};
+use crate::library::VectorLayout;
 use crate::library::endpoint::Assumption;
-use crate::library::{Family, VectorLayout};
 use serde::{Deserialize, Serialize};
 
 /// One attitude at both ends of a translation.
@@ -75,6 +76,29 @@ pub struct TranslatedEnd {
     /// The call that usually follows: a vector is rotated, or else the matrix made.
     pub usual: Option<String>,
     /// What is not established for the library and was assumed here.
+    pub assumed: Vec<Assumption>,
+}
+
+/// What a library does by itself, whatever the attitude.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct LibraryDescription {
+    /// The convention that its numbers follow: order, direction, and the hand that belongs to what the
+    /// quaternion does to a vector.
+    pub convention: Convention,
+    /// The order of its array.
+    pub order: ComponentOrder,
+    /// What the quaternion multiplies a column vector with when it acts: `R(q)` or `C(q)`.
+    pub action: CosineMatrix,
+    /// Which coordinates to which that takes.
+    pub direction: Direction,
+    /// How product and action belong together; absent where the product is not established.
+    pub family: Option<Family>,
+    /// The operand of `a * b` that acts first on a vector; absent where the product is not
+    /// established.
+    pub first_to_act: Option<Side>,
+    /// What is not established and was assumed here.
     pub assumed: Vec<Assumption>,
 }
 

@@ -6,8 +6,14 @@ pub mod angle;
 /// The 24 Euler sequences.
 pub mod euler_sequence;
 
+/// How a product and a matrix belong together.
+pub mod family;
+
 /// What nine numbers mean.
 pub mod matrix;
+
+/// The conventions that have a name.
+pub mod named;
 
 /// The side on which a small turn stands.
 pub mod side;
@@ -75,6 +81,47 @@ pub enum ComponentOrder {
     ScalarFirst,
     /// `[x, y, z, w]`
     ScalarLast,
+}
+
+impl ComponentOrder {
+    /// The other one.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::ScalarFirst => Self::ScalarLast,
+            Self::ScalarLast => Self::ScalarFirst,
+        }
+    }
+
+    /// `[w, x, y, z]` of four numbers that stand in this order.
+    ///
+    /// ```
+    /// use quatlas::ComponentOrder;
+    /// assert_eq!(ComponentOrder::ScalarLast.components([1, 2, 3, 4]), [4, 1, 2, 3]);
+    /// ```
+    #[must_use]
+    pub const fn components<Number: Copy>(self, array: [Number; 4]) -> [Number; 4] {
+        let [a, b, c, d] = array;
+        match self {
+            Self::ScalarFirst => array,
+            Self::ScalarLast => [d, a, b, c],
+        }
+    }
+
+    /// Four numbers `[w, x, y, z]` as they stand in this order.
+    ///
+    /// ```
+    /// use quatlas::ComponentOrder;
+    /// assert_eq!(ComponentOrder::ScalarLast.array(["w", "x", "y", "z"]), ["x", "y", "z", "w"]);
+    /// ```
+    #[must_use]
+    pub const fn array<Number: Copy>(self, components: [Number; 4]) -> [Number; 4] {
+        let [w, x, y, z] = components;
+        match self {
+            Self::ScalarFirst => components,
+            Self::ScalarLast => [x, y, z, w],
+        }
+    }
 }
 
 names!(ComponentOrder {

@@ -1,9 +1,10 @@
 //! What a library may do with four numbers: eight choices.
 
+use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::{IncrementSign, Side};
 use crate::convention::{ComponentOrder, ComponentSign, Direction, Handedness, Perturbation};
-use crate::library::{Library, first_to_act};
+use crate::library::Library;
 use serde::{Deserialize, Serialize};
 
 /// What a library does with four numbers, as far as numbers show it.
@@ -142,7 +143,7 @@ impl Behaviour {
     /// The operand of `a * b` that acts first on a vector.
     #[must_use]
     pub fn first_to_act(&self) -> Side {
-        first_to_act(self.handedness, self.rotate)
+        Family::of(self.handedness, self.rotate).first_to_act()
     }
 
     /// Which coordinates to which the call that rotates takes.

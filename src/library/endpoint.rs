@@ -1,6 +1,8 @@
 //! One end of a translation: a library, or a convention on the five axes.
 
+use crate::convention::family::Family;
 use crate::convention::matrix::{CosineMatrix, MatrixConvention};
+use crate::convention::side::Side;
 use crate::convention::{
     ComponentOrder, Convention, Direction, Function, Handedness, Perturbation,
 };
@@ -96,6 +98,16 @@ pub(crate) struct PrintedAs {
 }
 
 impl Meaning {
+    /// How product and action belong together, where the product is established.
+    pub(crate) fn family(&self) -> Option<Family> {
+        Some(Family::of(self.handedness?, self.action))
+    }
+
+    /// The operand of a product that acts first on a vector, where the product is established.
+    pub(crate) fn first_to_act(&self) -> Option<Side> {
+        self.family().map(Family::first_to_act)
+    }
+
     /// `None` for an id that no library has.
     pub(crate) fn of(endpoint: &Endpoint) -> Option<Self> {
         match endpoint {

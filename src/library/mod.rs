@@ -14,6 +14,7 @@ pub mod behaviour;
 /// One end of a translation.
 pub mod endpoint;
 
+use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::Side;
 use crate::convention::{ComponentOrder, Direction, Handedness};
@@ -365,22 +366,6 @@ pub struct Source {
     pub url: Option<String>,
 }
 
-kinds! {
-    /// How the product and the rotation of a library belong together.
-    ///
-    /// The labelled conventions of [`Convention`](crate::Convention) are the first two.
-    Family {
-        /// The Hamilton product with `R(q)`.
-        Hamilton,
-        /// The Shuster product with `C(q)`: what JPL means.
-        Shuster,
-        /// The Shuster product with `R(q)`, as row vectors want it: not JPL, although ij = −k.
-        ReversedProduct,
-        /// The Hamilton product with `C(q)`: the matrices multiply the other way round.
-        TransposedMatrix,
-    }
-}
-
 impl Library {
     /// The order in which its numbers are usually met: that of the array, or else of the constructor.
     #[must_use]
@@ -404,30 +389,13 @@ impl Library {
     /// The operand of `a * b` that acts first on a vector.
     #[must_use]
     pub fn first_to_act(&self) -> Option<Side> {
-        Some(first_to_act(self.handedness?, self.action()?))
+        self.family().map(Family::first_to_act)
     }
 
     /// How its product and its rotation belong together.
     #[must_use]
     pub fn family(&self) -> Option<Family> {
-        Some(family(self.handedness?, self.action()?))
-    }
-}
-
-/// `M(a ∘ b) = M(a) M(b)` where product and action are of one kind, so the right operand acts first.
-pub(crate) fn first_to_act(handedness: Handedness, action: CosineMatrix) -> Side {
-    match family(handedness, action) {
-        Family::Hamilton | Family::Shuster => Side::Right,
-        Family::ReversedProduct | Family::TransposedMatrix => Side::Left,
-    }
-}
-
-pub(crate) fn family(handedness: Handedness, action: CosineMatrix) -> Family {
-    match (handedness, action) {
-        (Handedness::Right, CosineMatrix::Hamilton) => Family::Hamilton,
-        (Handedness::Left, CosineMatrix::Shuster) => Family::Shuster,
-        (Handedness::Left, CosineMatrix::Hamilton) => Family::ReversedProduct,
-        (Handedness::Right, CosineMatrix::Shuster) => Family::TransposedMatrix,
+        Some(Family::of(self.handedness?, self.action()?))
     }
 }
 

@@ -3,7 +3,7 @@
 //! What comes in and goes out is numbers in their own convention; nothing here
 //! knows which rotation they stand for.
 
-use crate::convention::{ComponentOrder, Convention, Handedness};
+use crate::convention::{Convention, Handedness};
 use crate::rotation::precise::{self, Norm, UNIT_ROUNDOFF, quotient};
 use nalgebra::{Matrix4, Quaternion};
 use std::fmt;
@@ -95,21 +95,16 @@ impl TaggedQuaternion {
     /// ```
     #[must_use]
     pub const fn from_array(array: [f64; 4], convention: Convention) -> Self {
-        let [a, b, c, d] = array;
-        match convention.order {
-            ComponentOrder::ScalarFirst => Self::new(a, b, c, d, convention),
-            ComponentOrder::ScalarLast => Self::new(d, a, b, c, convention),
-        }
+        let [w, x, y, z] = convention.order.components(array);
+        Self::new(w, x, y, z, convention)
     }
 
     /// The components as an array in the order of the convention.
     #[must_use]
     pub fn to_array(&self) -> [f64; 4] {
         let Quaternion { coords } = self.components;
-        match self.convention.order {
-            ComponentOrder::ScalarFirst => [coords.w, coords.x, coords.y, coords.z],
-            ComponentOrder::ScalarLast => coords.into(),
-        }
+        let components = [coords.w, coords.x, coords.y, coords.z];
+        self.convention.order.array(components)
     }
 
     /// The quaternion of the same attitude in another convention, with the same norm.

@@ -116,8 +116,8 @@ use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
 pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::list::only_numbers;
 pub(crate) use crate::text::description::matrix::RowMarks;
-use crate::text::description::quaternion;
 pub use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::description::{list, quaternion};
 use crate::text::readers::rotation;
 use crate::text::vocabulary::Telling;
 use nalgebra::Vector3;
@@ -164,7 +164,7 @@ pub(crate) struct RotationText {
 
 /// The rotation that a text holds, and what else it tells.
 pub(crate) fn read_rotation(text: &str, declared: ComponentOrder) -> Result<RotationText, Fault> {
-    let (telling, span) = telling(text, Wanted::Quaternion)?;
+    let (telling, span) = telling_of(text, Wanted::Quaternion)?;
     let rotation = rotation(&telling, text, span, declared)?;
     Ok(RotationText {
         row_marks: match rotation {
@@ -239,24 +239,45 @@ pub(crate) struct VectorText {
 
 /// The vector that a text holds, and what else it tells.
 pub(crate) fn read_vector(text: &str) -> Result<VectorText, Fault> {
-    let (telling, span) = telling(text, Wanted::Vector)?;
+    let (telling, span) = telling_of(text, Wanted::Vector)?;
     Ok(VectorText {
         vector: quaternion::vector(&grammar::entries(&telling.tokens)?, span)?,
         has_words: telling.has_words,
     })
 }
 
-/// The tokens of a text, and its place without the space around it.
+/// The one number that a text holds, computed where it is an expression.
 ///
-/// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
-fn telling(text: &str, wanted: Wanted) -> Result<(Telling<'_>, Span), Fault> {
-    if is_too_long(text) {
-        let span = Span::of_trimmed(text);
-        return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
-    }
-    let telling = Telling::of(text)?;
+/// # Errors
+///
+/// The first problem of the text; its span counts bytes. An angle with its unit is one, and so are several
+/// numbers.
+///
+/// ```
+/// use quatlas::parse_number;
+/// assert_eq!(parse_number("-1/4")?, -0.25);
+/// assert_eq!(parse_number("1 2").unwrap_err().to_string(), "2 numbers in place of 1");
+/// # Ok::<(), quatlas::Fault>(())
+/// ```
+pub fn parse_number(text: &str) -> Result<f64, Fault> {
+    let (telling, span) = telling(text)?;
+    list::number(&grammar::entries(&telling.tokens)?, span)
+}
+
+/// The tokens of a text that is not empty, and its place without the space around it.
+fn telling_of(text: &str, wanted: Wanted) -> Result<(Telling<'_>, Span), Fault> {
+    let (telling, span) = telling(text)?;
     if telling.tokens.is_empty() {
         return Err(Fault::empty_text(Span::from(0..text.len()), wanted));
     }
-    Ok((telling, Span::of_trimmed(text)))
+    Ok((telling, span))
+}
+
+/// A text is measured before anything is done with it: of megabytes even a look at each takes a while.
+fn telling(text: &str) -> Result<(Telling<'_>, Span), Fault> {
+    let span = Span::of_trimmed(text);
+    if is_too_long(text) {
+        return Err(Fault::text_too_long(span, text.len(), MAX_TEXT_BYTES));
+    }
+    Ok((Telling::of(text)?, span))
 }

@@ -17,22 +17,24 @@ mod request;
 mod text;
 
 use crate::analyze::compose::compose;
+use crate::analyze::describe::describe_convention as described_convention;
 use crate::analyze::read::read;
 use crate::contract::Problems;
 use crate::convention::Convention;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
+use crate::text::parse_number;
 use crate::wasm::members::{Members, Typed, no_such_choice, refused, word};
 use crate::wasm::request::{compose_request, read_request};
 use crate::wasm::text::{Texts, member_of};
-use js_sys::{Object, Reflect, TypeError};
+use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
-    crate::analyze::identify::identify,
     crate::analyze::identify::reading::LONGEST_TEXT_BYTES,
-    crate::analyze::translate::translate,
+    crate::analyze::identify::{identify, standard_probes},
+    crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},
     crate::contract::{IdentifyReport, ObservationReport},
     crate::library::TABLE,
@@ -216,6 +218,39 @@ pub fn presets() -> Result<JsValue, TypeError> {
         jpl_body_to_world: Convention::JPL_BODY_TO_WORLD,
         hamilton_scalar_last: Convention::HAMILTON_SCALAR_LAST,
     })
+}
+
+/// What a convention is called and does.
+///
+/// A `TypeError` is thrown for what is no convention.
+#[wasm_bindgen(js_name = describeConvention, unchecked_return_type = "ConventionDescription")]
+pub fn describe_convention(
+    #[wasm_bindgen(unchecked_param_type = "Convention")] convention: JsValue,
+) -> Typed<JsValue> {
+    let texts = Texts::default();
+    let convention = request::convention(&Members::of_request(&convention, &texts)?)?;
+    Ok(to_js(&described_convention(convention))?)
+}
+
+/// The one number that a text holds; undefined where it holds none, or several.
+#[wasm_bindgen(js_name = readNumber)]
+pub fn read_number(text: &JsString) -> Option<f64> {
+    let texts = Texts::default();
+    parse_number(&texts.read(text, "")?).ok()
+}
+
+/// What a library does by itself; undefined for an id that no library has.
+#[cfg(feature = "libraries")]
+#[wasm_bindgen(js_name = describeLibrary, unchecked_return_type = "LibraryDescription | undefined")]
+pub fn describe_library(id: &str) -> Result<JsValue, TypeError> {
+    described_library(id).map_or(Ok(JsValue::UNDEFINED), |description| to_js(&description))
+}
+
+/// The probes that are proposed, one of each kind.
+#[cfg(feature = "libraries")]
+#[wasm_bindgen(js_name = standardProbes, unchecked_return_type = "Probe[]")]
+pub fn probes() -> Result<JsValue, TypeError> {
+    to_js(&standard_probes())
 }
 
 /// The table of libraries, as JSON: an array of `Library`.

@@ -95,6 +95,7 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         libraries: matches(&possible),
         contradiction: contradiction(&told),
         sentence: sentence(&request.name, &left),
+        family: left.family(),
         remaining: left,
         observations: read.into_iter().map(|read| read.report).collect(),
     }
@@ -311,7 +312,8 @@ fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
 ///
 /// Their numbers are easy to type and to read. The quaternion (½, ½, ½, ½) is the same in both orders;
 /// it turns by 120° about (1, 1, 1), so it moves every axis onto another one.
-fn standard_probes() -> [Probe; 7] {
+#[must_use]
+pub fn standard_probes() -> [Probe; 7] {
     let text = str::to_owned;
     let printed = String::new;
     [

@@ -214,10 +214,7 @@ impl Answer {
         match *self {
             Self::Rotation(quaternion) | Self::Quaternion(quaternion) => {
                 let c = quaternion.coords;
-                Printed::Quaternion(Numbers::AsWritten(match array {
-                    ComponentOrder::ScalarFirst => [c.w, c.x, c.y, c.z],
-                    ComponentOrder::ScalarLast => [c.x, c.y, c.z, c.w],
-                }))
+                Printed::Quaternion(Numbers::AsWritten(array.array([c.w, c.x, c.y, c.z])))
             }
             Self::Vector(vector) => Printed::Vector(vector),
             Self::Matrix(matrix) => Printed::Matrix(matrix),

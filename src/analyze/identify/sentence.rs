@@ -1,10 +1,10 @@
 //! What is settled of a library, as a sentence for an issue.
 
 use crate::contract::Remaining;
+use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::{IncrementSign, Side};
 use crate::convention::{ComponentOrder, Direction, Handedness, Perturbation};
-use crate::library::{Family, family};
 
 /// One sentence of what is settled, one of what that is called, and one of what is not settled.
 pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
@@ -57,7 +57,7 @@ pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
         sentences.push(format!("{name} {}.", joined(&clauses)));
     }
     if let (Some(hand), Some(action)) = (only(&left.handedness), only(&left.rotate)) {
-        sentences.push(conclusion(family(hand, action)).to_owned());
+        sentences.push(conclusion(Family::of(hand, action)).to_owned());
     }
     if !open.is_empty() {
         let open: Vec<String> = open.into_iter().map(str::to_owned).collect();

@@ -1,6 +1,7 @@
 //! The sentences of problems of text and numbers.
 
 use crate::problem::fault::Fault;
+use crate::problem::sentences::matrix::numbers;
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 impl Fault {
@@ -227,6 +228,16 @@ impl Fault {
             format!("the argument {name} is not known here, and it may change the numbers"),
             "the numbers of the rotation and their unit",
             "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
+        )
+    }
+
+    pub(crate) fn not_one_number(span: Span, found: usize) -> Self {
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            format!("{} in place of 1", numbers(found)),
+            "one number",
+            "0.5, 1/√2 or sin(pi/8)",
         )
     }
 

@@ -43,6 +43,17 @@ pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault
         .collect()
 }
 
+/// The only number there is; a problem where it has a name, or is none, or one of several.
+pub(crate) fn number(entries: &[Entry<'_>], span: Span) -> Result<f64, Fault> {
+    match entries {
+        [only] => match only.key {
+            None => only.node.real(),
+            Some(key) => Err(Fault::unexpected(key.span, key.name)),
+        },
+        _ => Err(Fault::not_one_number(span, entries.len())),
+    }
+}
+
 /// That no number and no call stands before a list: `sqrt(2) [0, 0, 1]`, `transpose(1) [[…], […], […]]`.
 pub(crate) fn check_no_factor(entries: &[Entry<'_>]) -> Result<(), Fault> {
     for pair in entries.windows(2) {

@@ -152,12 +152,9 @@ fn read_quaternion(
         let quaternion = Quaternion::new(sum.scalar, x, y, z);
         return Ok(order.by_names().with(quaternion));
     }
-    let [a, b, c, d] = numbers(&entries, &values, span, Wanted::Quaternion)?;
-    let quaternion = match order.order {
-        ComponentOrder::ScalarFirst => Quaternion::new(a, b, c, d),
-        ComponentOrder::ScalarLast => Quaternion::new(d, a, b, c),
-    };
-    Ok(order.with(quaternion))
+    let array = numbers(&entries, &values, span, Wanted::Quaternion)?;
+    let [w, x, y, z] = order.order.components(array);
+    Ok(order.with(Quaternion::new(w, x, y, z)))
 }
 
 /// Whether a list is a quaternion by its count, and no vector part.

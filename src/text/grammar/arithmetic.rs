@@ -6,7 +6,7 @@
 use crate::convention::angle::{AngleUnit, degrees_in_radians, turn_in_radians};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::text::grammar::lex::last_segment;
+use crate::text::grammar::lex::{Token, last_segment};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -285,4 +285,13 @@ fn is_cast(name: &str) -> bool {
         last_segment(name),
         "float64" | "float32" | "float" | "double"
     )
+}
+
+/// How programs print what is no finite number.
+pub(crate) fn not_finite(token: &Token<'_>) -> Option<Fault> {
+    match token.text.to_ascii_lowercase().as_str() {
+        "nan" => Some(Fault::not_a_number(token.span, token.text)),
+        "inf" | "infinity" => Some(Fault::infinite(token.span)),
+        _ => None,
+    }
 }

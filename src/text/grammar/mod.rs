@@ -1,6 +1,6 @@
 //! Tokens to a small tree: numbers already computed, lists, names and calls.
 //!
-//! The grammar is in the documentation of [`parse`](mod@crate::text).
+//! The grammar is in the documentation of [`text`](mod@crate::text).
 
 // The arithmetic of typed text.
 pub(crate) mod arithmetic;
@@ -10,6 +10,9 @@ pub(crate) mod blank;
 
 // The tokens on their way through the grammar.
 mod cursor;
+
+// The name before a member.
+mod key;
 
 // Text to tokens.
 pub(crate) mod lex;
@@ -29,6 +32,7 @@ use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::cursor::{
     Input, Parsed, Spaces, State, Stop, computed, end_of, stop, token_at, unexpected,
 };
+use crate::text::grammar::key::key_ahead;
 use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
 use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
@@ -39,9 +43,6 @@ use winnow::token::any;
 
 /// How many brackets may be open at once; a quaternion needs about four.
 pub(crate) const MAX_DEPTH: usize = 32;
-
-/// As in `Eigen::Quaterniond q =`.
-const MOST_WORDS_OF_A_KEY: usize = 2;
 
 /// Reads all tokens of a text, or of a part of it.
 pub(crate) fn entries<'t>(tokens: &[Token<'t>]) -> Result<Vec<Entry<'t>>, Fault> {
@@ -119,34 +120,6 @@ fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
         lead,
         doubtful_sign: input.state.doubtful_sign.take(),
     })
-}
-
-/// `name:`, `name=`, `"name":` or, in a declaration, `Type name=` and `Type name[4]=`.
-fn key_ahead<'t>(input: &Input<'_, 't>) -> Option<(Key<'t>, usize)> {
-    let kind = |at: usize| token_at(input, at).map(|token| token.kind);
-    let is_name = |at: usize| matches!(kind(at), Some(TokenKind::Word | TokenKind::Quoted));
-    let names = (0..MOST_WORDS_OF_A_KEY)
-        .take_while(|&at| is_name(at))
-        .count();
-    let name = token_at(input, names.checked_sub(1)?)?;
-    let mut length = names;
-    if names > 1 && kind(length) == Some(TokenKind::Open(Bracket::Square)) {
-        length += 1;
-        if matches!(kind(length), Some(TokenKind::Number(_))) {
-            length += 1;
-        }
-        if kind(length) != Some(TokenKind::Close(Bracket::Square)) {
-            return None;
-        }
-        length += 1;
-    }
-    let key = Key {
-        heading: None,
-        name: name.text,
-        span: name.span,
-    };
-    let is_mark = matches!(kind(length), Some(TokenKind::Colon | TokenKind::Equals));
-    is_mark.then_some((key, length + 1))
 }
 
 fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
@@ -334,7 +307,7 @@ fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             0 => stop(Fault::unmatched_bracket(token.span, token.text, None)),
             _ => stop(unexpected(&token)),
         },
-        TokenKind::Quoted => match not_finite(token) {
+        TokenKind::Quoted => match arithmetic::not_finite(&token) {
             Some(fault) => stop(fault),
             None => Ok(Node {
                 kind: NodeKind::Word(token.text),
@@ -350,7 +323,7 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
     if let Some(value) = Linear::unit(name).or_else(|| Linear::constant(name)) {
         return computed(Ok(value), token.span);
     }
-    if let Some(fault) = not_finite(token) {
+    if let Some(fault) = arithmetic::not_finite(&token) {
         return stop(fault);
     }
     // A declaration `Eigen::Quaterniond q(...)`: the variable's name says nothing.
@@ -396,15 +369,6 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
             },
         ] => computed(Linear::call(name, value_of(node)?, node.span, span), span),
         _ => stop(Fault::argument_count(span, name)),
-    }
-}
-
-/// How programs print what is no finite number.
-fn not_finite(token: Token<'_>) -> Option<Fault> {
-    match token.text.to_ascii_lowercase().as_str() {
-        "nan" => Some(Fault::not_a_number(token.span, token.text)),
-        "inf" | "infinity" => Some(Fault::infinite(token.span)),
-        _ => None,
     }
 }
 

@@ -1,5 +1,8 @@
 //! Words and names that are known: what announces, what declares, what constructs.
 
+// Calls that make a rotation of something else.
+pub(crate) mod calls;
+
 // What consoles write around numbers.
 pub(crate) mod console;
 

@@ -14,10 +14,12 @@
 //! function or direction changes is only the matrix or quaternion that is made of the attitude,
 //! never the angles.
 
+use crate::convention::names;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
 use std::str::FromStr;
+use strum::{VariantArray, VariantNames};
 
 /// A coordinate axis, right-handed in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -48,6 +50,8 @@ impl Axis {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantArray, VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 #[doc(alias("rotating", "static", "moving axes", "fixed axes"))]
 pub enum EulerFrame {
     /// About the axes of the body, which move (field guide: *successive*).
@@ -58,15 +62,12 @@ pub enum EulerFrame {
 
 impl EulerFrame {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::Intrinsic, Self::Extrinsic];
+    pub const ALL: [Self; 2] = names::all(VariantArray::VARIANTS);
 
     /// The name that is read back, in JSON and in JavaScript too.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Intrinsic => "intrinsic",
-            Self::Extrinsic => "extrinsic",
-        }
+        <Self as VariantNames>::VARIANTS[self as usize]
     }
 }
 
@@ -77,6 +78,8 @@ impl EulerFrame {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "lowercase")]
+#[derive(VariantArray, VariantNames)]
+#[strum(serialize_all = "UPPERCASE")]
 #[allow(missing_docs, reason = "the names say it")]
 pub enum EulerAxes {
     Xyz,
@@ -95,20 +98,7 @@ pub enum EulerAxes {
 
 impl EulerAxes {
     /// The six Tait-Bryan sequences (three different axes), then the six proper ones.
-    pub const ALL: [Self; 12] = [
-        Self::Xyz,
-        Self::Xzy,
-        Self::Yxz,
-        Self::Yzx,
-        Self::Zxy,
-        Self::Zyx,
-        Self::Xyx,
-        Self::Xzx,
-        Self::Yxy,
-        Self::Yzy,
-        Self::Zxz,
-        Self::Zyz,
-    ];
+    pub const ALL: [Self; 12] = names::all(VariantArray::VARIANTS);
 
     /// The axis of the first, second and third angle.
     #[must_use]
@@ -132,20 +122,7 @@ impl EulerAxes {
 
     /// The letters in upper case.
     pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Xyz => "XYZ",
-            Self::Xzy => "XZY",
-            Self::Yxz => "YXZ",
-            Self::Yzx => "YZX",
-            Self::Zxy => "ZXY",
-            Self::Zyx => "ZYX",
-            Self::Xyx => "XYX",
-            Self::Xzx => "XZX",
-            Self::Yxy => "YXY",
-            Self::Yzy => "YZY",
-            Self::Zxz => "ZXZ",
-            Self::Zyz => "ZYZ",
-        }
+        <Self as VariantNames>::VARIANTS[self as usize]
     }
 }
 

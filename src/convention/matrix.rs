@@ -11,9 +11,10 @@
 //! | active, body to world | `R_BW` | the world axes in body coordinates |
 //! | active, world to body | `R_WB` | the body axes in world coordinates |
 
-use crate::convention::{ComponentSign, Convention, Direction, Function};
+use crate::convention::{ComponentSign, Convention, Direction, Function, names};
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use strum::VariantArray;
 
 /// What a rotation matrix means: two independent choices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -73,7 +74,7 @@ impl fmt::Display for MatrixConvention {
 }
 
 /// Which formula makes a matrix of the four numbers of a quaternion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[doc(alias("C_H", "C_S"))]
 pub enum CosineMatrix {
@@ -87,7 +88,7 @@ pub enum CosineMatrix {
 
 impl CosineMatrix {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::Hamilton, Self::Shuster];
+    pub const ALL: [Self; 2] = names::all(VariantArray::VARIANTS);
 
     /// The other one.
     #[must_use]

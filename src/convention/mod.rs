@@ -15,59 +15,17 @@ pub mod matrix;
 /// The conventions that have a name.
 pub mod named;
 
+// The values of the choices and their names.
+pub(crate) mod names;
+
 /// The side on which a small turn stands.
 pub mod side;
 
+pub use crate::convention::names::UnknownName;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
-
-/// A name that stands for no convention.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownName {
-    name: String,
-}
-
-impl fmt::Display for UnknownName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{:?} names no convention and no axis of one", self.name)
-    }
-}
-
-impl std::error::Error for UnknownName {}
-
-/// Gives an axis its name for display and the names it is parsed from (the first is displayed).
-macro_rules! names {
-    ($axis:ident { $($variant:ident: $name:literal $(| $alias:literal)*,)+ }) => {
-        impl $axis {
-            /// Both values, in the order in which the documentation lists them.
-            pub const ALL: [Self; 2] = [$(Self::$variant),+];
-
-            /// The name that [`Display`](fmt::Display) writes and JavaScript uses.
-            #[must_use]
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name),+ }
-            }
-        }
-
-        impl fmt::Display for $axis {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(self.name())
-            }
-        }
-
-        impl FromStr for $axis {
-            type Err = UnknownName;
-
-            fn from_str(name: &str) -> Result<Self, UnknownName> {
-                match name.trim().to_ascii_lowercase().as_str() {
-                    $($name $(| $alias)* => Ok(Self::$variant),)+
-                    _ => Err(UnknownName { name: name.to_owned() }),
-                }
-            }
-        }
-    };
-}
+use strum::{Display, EnumMessage, VariantArray, VariantNames};
 
 /// In which order the four numbers are written.
 ///
@@ -75,11 +33,24 @@ macro_rules! names {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(Display, EnumMessage, VariantArray, VariantNames)]
 #[doc(alias("wxyz", "xyzw", "ordering", "scalar_first"))]
 pub enum ComponentOrder {
     /// `[w, x, y, z]`
+    #[strum(
+        to_string = "scalar-first",
+        serialize = "wxyz",
+        serialize = "w-first",
+        serialize = "first"
+    )]
     ScalarFirst,
     /// `[x, y, z, w]`
+    #[strum(
+        to_string = "scalar-last",
+        serialize = "xyzw",
+        serialize = "w-last",
+        serialize = "last"
+    )]
     ScalarLast,
 }
 
@@ -124,11 +95,6 @@ impl ComponentOrder {
     }
 }
 
-names!(ComponentOrder {
-    ScalarFirst: "scalar-first" | "wxyz" | "w-first" | "first",
-    ScalarLast: "scalar-last" | "xyzw" | "w-last" | "last",
-});
-
 /// Which product the quaternions have.
 ///
 /// It says nothing about the handedness of the axes, which are right-handed in
@@ -136,31 +102,41 @@ names!(ComponentOrder {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(Display, EnumMessage, VariantArray, VariantNames)]
 #[doc(alias("algebra", "ij=k", "ij=-k", "flipped"))]
 pub enum Handedness {
     /// `ij = k`: the Hamilton product `p ⊙ q`.
+    #[strum(
+        to_string = "right",
+        serialize = "hamilton-product",
+        serialize = "ij=k"
+    )]
     Right,
     /// `ij = -k`: the JPL (Shuster) product `p ⊗ q = q ⊙ p`.
+    #[strum(
+        to_string = "left",
+        serialize = "shuster-product",
+        serialize = "jpl-product",
+        serialize = "ij=-k"
+    )]
     Left,
 }
-
-names!(Handedness {
-    Right: "right" | "hamilton-product" | "ij=k",
-    Left: "left" | "shuster-product" | "jpl-product" | "ij=-k",
-});
 
 /// What stays and what is turned when the quaternion acts on a vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 // JavaScript has a global `Function` of its own.
 #[serde(rename = "RotationFunction", rename_all = "kebab-case")]
+#[derive(Display, EnumMessage, VariantArray, VariantNames)]
 #[doc(alias("alias", "alibi"))]
 pub enum Function {
     /// The vector stays and its coordinates change from the axes of the first
     /// frame to the axes of the second (also called *alias*).
+    #[strum(to_string = "passive", serialize = "alias")]
     Passive,
     /// The axes stay and the vector is moved, by the turn that carries the axes
     /// of the first frame onto those of the second (also called *alibi*).
+    #[strum(to_string = "active", serialize = "alibi")]
     Active,
 }
 
@@ -175,11 +151,6 @@ impl Function {
     }
 }
 
-names!(Function {
-    Passive: "passive" | "alias",
-    Active: "active" | "alibi",
-});
-
 /// From which frame to which the quaternion leads.
 ///
 /// It also names a rotation matrix: the one with this direction is the passive
@@ -187,18 +158,24 @@ names!(Function {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(Display, EnumMessage, VariantArray, VariantNames)]
 #[doc(alias("directionality", "B2W", "W2B", "local-to-global", "global-to-local"))]
 pub enum Direction {
     /// From the body frame B to the world frame W.
+    #[strum(
+        to_string = "body-to-world",
+        serialize = "b2w",
+        serialize = "local-to-global"
+    )]
     BodyToWorld,
     /// From the world frame W to the body frame B.
+    #[strum(
+        to_string = "world-to-body",
+        serialize = "w2b",
+        serialize = "global-to-local"
+    )]
     WorldToBody,
 }
-
-names!(Direction {
-    BodyToWorld: "body-to-world" | "b2w" | "local-to-global",
-    WorldToBody: "world-to-body" | "w2b" | "global-to-local",
-});
 
 impl Direction {
     /// The opposite direction.
@@ -215,24 +192,54 @@ impl Direction {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(Display, EnumMessage, VariantArray, VariantNames)]
 #[doc(alias("error-state", "tangent space"))]
 pub enum Perturbation {
     /// On the axes of the body.
+    #[strum(to_string = "local", serialize = "body")]
     Local,
     /// On the axes of the world.
+    #[strum(to_string = "global", serialize = "world")]
     Global,
 }
 
-names!(Perturbation {
-    Local: "local" | "body",
-    Global: "global" | "world",
-});
+/// The values of each of the five choices as an array, their names and what reads these.
+macro_rules! choices {
+    ($($choice:ident),+) => { $(
+        impl $choice {
+            /// Both values, in the order in which the documentation lists them.
+            pub const ALL: [Self; 2] = names::all(VariantArray::VARIANTS);
+
+            /// The name that [`Display`](std::fmt::Display) writes and JavaScript uses.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                <Self as VariantNames>::VARIANTS[self as usize]
+            }
+        }
+
+        impl FromStr for $choice {
+            type Err = UnknownName;
+
+            fn from_str(name: &str) -> Result<Self, UnknownName> {
+                names::named(name)
+            }
+        }
+    )+ };
+}
+
+choices!(
+    ComponentOrder,
+    Handedness,
+    Function,
+    Direction,
+    Perturbation
+);
 
 /// Whether the components are those of the canonical quaternion or of its conjugate.
 ///
 /// This is the sign σ of the specification: two conventions give one attitude
 /// the same numbers if and only if their signs agree.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 #[doc(alias = "sigma")]
@@ -245,7 +252,7 @@ pub enum ComponentSign {
 
 impl ComponentSign {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::Canonical, Self::Conjugated];
+    pub const ALL: [Self; 2] = names::all(VariantArray::VARIANTS);
 }
 
 /// What four numbers mean: five independent choices.

@@ -1,8 +1,9 @@
 //! The side of a product on which a small turn stands, and the sign with which.
 
 use crate::convention::matrix::MatrixConvention;
-use crate::convention::{ComponentSign, Convention, Direction, Perturbation};
+use crate::convention::{ComponentSign, Convention, Direction, Perturbation, names};
 use serde::{Deserialize, Serialize};
+use strum::VariantArray;
 
 /// A side of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -16,7 +17,7 @@ pub enum Side {
 }
 
 /// Whether an increment is the turn of the body or what a convention's own exponential takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 pub enum IncrementSign {
@@ -28,7 +29,7 @@ pub enum IncrementSign {
 
 impl IncrementSign {
     /// Both.
-    pub const ALL: [Self; 2] = [Self::Physical, Self::Formal];
+    pub const ALL: [Self; 2] = names::all(VariantArray::VARIANTS);
 }
 
 /// The side on which an increment stands, for an operator and the axes of the increment.

@@ -22,12 +22,14 @@ mod witness;
 mod yoosefian;
 
 use crate::convention::matrix::CosineMatrix::{Hamilton, Shuster};
+use crate::convention::names;
 use serde::Serialize;
+use strum::VariantArray;
 
 pub use crate::errata::witness::{Sides, Witness};
 
 /// One of the documents that equations are cited from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, VariantArray)]
 #[serde(rename_all = "kebab-case")]
 pub enum SourceDocument {
     /// *Cheng 2018*.
@@ -42,12 +44,7 @@ pub enum SourceDocument {
 
 impl SourceDocument {
     /// All four, in the order of their errata.
-    pub const ALL: [Self; 4] = [
-        Self::Cheng2018,
-        Self::Yoosefian2021,
-        Self::Me495Lecture,
-        Self::FieldGuide,
-    ];
+    pub const ALL: [Self; 4] = names::all(VariantArray::VARIANTS);
 
     /// Author, title, origin and year, as far as the document tells them.
     #[must_use]

@@ -3,9 +3,12 @@
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::side::{IncrementSign, Side};
-use crate::convention::{ComponentOrder, ComponentSign, Direction, Handedness, Perturbation};
+use crate::convention::{
+    ComponentOrder, ComponentSign, Direction, Handedness, Perturbation, names,
+};
 use crate::library::Library;
 use serde::{Deserialize, Serialize};
+use strum::VariantArray;
 
 /// What a library does with four numbers, as far as numbers show it.
 ///
@@ -39,7 +42,7 @@ pub struct Behaviour {
 }
 
 /// One of the eight choices, under the name that its values have in [`Remaining`](crate::Remaining).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub enum BehaviourAxis {
@@ -63,16 +66,7 @@ pub enum BehaviourAxis {
 
 impl BehaviourAxis {
     /// All eight: first those of the library, then those of how it is used.
-    pub const ALL: [Self; 8] = [
-        Self::Constructor,
-        Self::Array,
-        Self::Handedness,
-        Self::Rotate,
-        Self::Matrix,
-        Self::Attitude,
-        Self::Perturbation,
-        Self::IncrementSign,
-    ];
+    pub const ALL: [Self; 8] = names::all(VariantArray::VARIANTS);
 
     /// Whether a behaviour has the second of the two values of this choice.
     pub(crate) fn is_second(self, behaviour: &Behaviour) -> bool {

@@ -19,6 +19,7 @@ use crate::problem::suggestion::Suggestion;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;
+use strum::VariantNames;
 
 /// Which text of a request a problem or a note is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -128,6 +129,8 @@ impl From<Range<usize>> for Span {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum ProblemCode {
     /// Nothing but white space.
@@ -200,40 +203,7 @@ impl ProblemCode {
     /// The stable name, as it is written in JavaScript and in the test files.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::EmptyText => "empty-text",
-            Self::TextTooLong => "text-too-long",
-            Self::NestedTooDeep => "nested-too-deep",
-            Self::UnexpectedCharacter => "unexpected-character",
-            Self::Unexpected => "unexpected",
-            Self::UnexpectedEnd => "unexpected-end",
-            Self::UnclosedBracket => "unclosed-bracket",
-            Self::UnmatchedBracket => "unmatched-bracket",
-            Self::UnknownWord => "unknown-word",
-            Self::WrongCount => "wrong-count",
-            Self::DuplicateComponent => "duplicate-component",
-            Self::MissingComponent => "missing-component",
-            Self::UnknownComponent => "unknown-component",
-            Self::MixedNames => "mixed-names",
-            Self::DivisionByZero => "division-by-zero",
-            Self::NotANumber => "not-a-number",
-            Self::Infinite => "infinite",
-            Self::TooLarge => "too-large",
-            Self::TooSmall => "too-small",
-            Self::ProductOfUnits => "product-of-units",
-            Self::ScalarInVector => "scalar-in-vector",
-            Self::ZeroQuaternion => "zero-quaternion",
-            Self::Reflection => "reflection",
-            Self::NotARotation => "not-a-rotation",
-            Self::ZeroAxis => "zero-axis",
-            Self::UnknownSequence => "unknown-sequence",
-            Self::MixedUnits => "mixed-units",
-            Self::NotAQuaternion => "not-a-quaternion",
-            Self::NotAMatrix => "not-a-matrix",
-            Self::UnknownLibrary => "unknown-library",
-            Self::UnknownAxes => "unknown-axes",
-            Self::OneSidedReflection => "one-sided-reflection",
-        }
+        <Self as VariantNames>::VARIANTS[self as usize]
     }
 }
 

@@ -19,4 +19,5 @@ mod copied;
 mod gates;
 #[cfg(not(target_arch = "wasm32"))]
 mod laws;
+mod names;
 mod peers;

@@ -10,6 +10,7 @@ use crate::text::description::{self, ParsedRotation, euler_angles};
 use crate::text::grammar::lex::{Token, last_segment};
 use crate::text::grammar::nesting::at_depth_zero;
 use crate::text::vocabulary::phrases::{Form, is_mark, is_name};
+use strum::{EnumString, IntoStaticStr};
 
 pub(crate) struct SpokenPart<'s, 't> {
     pub(crate) part: Part,
@@ -19,26 +20,18 @@ pub(crate) struct SpokenPart<'s, 't> {
     pub(crate) tokens: &'s [Token<'t>],
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, EnumString, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 pub(crate) enum Part {
     Axis,
     Angle,
     Roll,
     Pitch,
+    #[strum(to_string = "yaw", serialize = "heading")]
     Yaw,
 }
 
 impl Part {
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Axis => "axis",
-            Self::Angle => "angle",
-            Self::Roll => "roll",
-            Self::Pitch => "pitch",
-            Self::Yaw => "yaw",
-        }
-    }
-
     /// The part that a name is, with the unit at its end, as in `roll_deg`.
     fn named(token: &Token<'_>) -> Option<(Self, Option<AngleUnit>)> {
         if !is_name(token) {
@@ -49,14 +42,10 @@ impl Part {
             Some((name, unit)) => (name, Some(AngleUnit::named(unit)?)),
             None => (lower.as_str(), None),
         };
-        let part = match name {
-            "axis" if unit.is_none() => Self::Axis,
-            "angle" => Self::Angle,
-            "roll" => Self::Roll,
-            "pitch" => Self::Pitch,
-            "yaw" | "heading" => Self::Yaw,
-            _ => return None,
-        };
+        let part = name.parse().ok()?;
+        if part == Self::Axis && unit.is_some() {
+            return None;
+        }
         Some((part, unit))
     }
 }
@@ -103,7 +92,7 @@ pub(crate) fn rotation(
             return Err(Fault::mixed_parts(part.label));
         }
         if parts[..at].iter().any(|other| other.part == part.part) {
-            return Err(Fault::duplicate_part(part.label, part.part.name()));
+            return Err(Fault::duplicate_part(part.label, part.part.into()));
         }
     }
     let is_announced = match announcement.form {
@@ -128,7 +117,7 @@ pub(crate) fn rotation(
     let names = [Part::Roll, Part::Pitch, Part::Yaw];
     let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
         let missing = names.into_iter().filter(|part| find(*part).is_none());
-        let missing: Vec<_> = missing.map(Part::name).collect();
+        let missing: Vec<_> = missing.map(<&str>::from).collect();
         return Err(Fault::missing_part(span, &missing));
     };
     // A unit apart after the last number is one for all.

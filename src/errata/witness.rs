@@ -137,21 +137,3 @@ pub(crate) fn hamilton(rotation: &Rotation) -> Quaternion<f64> {
 pub(crate) fn pure(vector: &Vector3<f64>) -> Quaternion<f64> {
     Quaternion::from_imag(*vector)
 }
-
-/// Shorter than this, what is left of a vector of length 1 counts as nothing.
-const RANK_TOLERANCE: f64 = 1e-6;
-
-/// How many of the vectors are independent (Gram and Schmidt).
-pub(crate) fn rank<const LENGTH: usize>(vectors: &[SVector<f64, LENGTH>]) -> usize {
-    let mut units: Vec<SVector<f64, LENGTH>> = Vec::new();
-    for vector in vectors {
-        let rest = units
-            .iter()
-            .fold(*vector, |rest, unit| rest - unit * unit.dot(&rest));
-        let length = rest.norm();
-        if length > RANK_TOLERANCE {
-            units.push(rest / length);
-        }
-    }
-    units.len()
-}

@@ -9,7 +9,7 @@ use crate::motion::perturbation::exponential;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem, ProblemCode, Span};
 use crate::text::{
-    ParsedRotation, RowMarks, only_numbers, parse_quaternion, parse_rotation, parse_vector,
+    HomogeneousMatrix, ParsedRotation, RowMarks, parse_quaternion, parse_rotation, parse_vector,
 };
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
@@ -175,7 +175,7 @@ fn of_numbers(fault: Fault) -> Fault {
 fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
     let not_a_matrix = |what| Fault::not_a_matrix(Span::of_trimmed(text), what);
     let text = measured(text)?;
-    if let Some(entries) = homogeneous(text) {
+    if let Some(entries) = without_translation(text) {
         return Ok(entries);
     }
     match parse_rotation(text, ComponentOrder::ScalarFirst) {
@@ -190,14 +190,12 @@ fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
     }
 }
 
-/// The rotation part of sixteen numbers whose last row and last column are 0, 0, 0, 1.
-fn homogeneous(text: &str) -> Option<Matrix3<f64>> {
-    let numbers = only_numbers(text)?;
-    let entry = |row: usize, column: usize| numbers[4 * row + column].value;
-    let is_affine = numbers.len() == 16
-        && entry(3, 3) == 1.0
-        && (0..3).all(|at| entry(at, 3) == 0.0 && entry(3, at) == 0.0);
-    is_affine.then(|| Matrix3::from_fn(entry))
+/// The nine numbers of sixteen that are a homogeneous matrix without a translation.
+fn without_translation(text: &str) -> Option<Matrix3<f64>> {
+    let matrix = HomogeneousMatrix::read(text)?;
+    let stays = matrix.translation.iter().all(|number| number.value == 0.0);
+    let entry = |row: usize, column: usize| matrix.rotation[row][column].value;
+    (matrix.has_last_row && stays).then(|| Matrix3::from_fn(entry))
 }
 
 fn turn(text: &str) -> Result<Quaternion<f64>, Fault> {

@@ -119,6 +119,7 @@ pub(crate) fn sequence_among_numbers(members: &[Entry<'_>]) -> Option<Span> {
 }
 
 /// A number of a text, with its sign and as it is written.
+#[derive(Clone, Copy)]
 pub(crate) struct Written {
     pub(crate) value: f64,
     pub(crate) start: usize,

@@ -18,6 +18,9 @@ pub(crate) mod call;
 // The numbers behind an announcement.
 pub(crate) mod form;
 
+// Twelve or sixteen numbers to a homogeneous matrix.
+pub(crate) mod homogeneous;
+
 // Lists of plain numbers.
 pub(crate) mod list;
 

@@ -5,10 +5,9 @@ use crate::character::{decorates, plain_character};
 use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::Remedy;
-use crate::text::description::list::{Written, only_numbers};
+use crate::text::description::homogeneous::HomogeneousMatrix;
 use crate::text::description::matrix::RowMarks;
 use crate::text::grammar::arithmetic::Linear;
-use nalgebra::Matrix3;
 
 /// The texts to try, of a text and its problem.
 pub(crate) type Rewrite = fn(&Fault, &str) -> Vec<String>;
@@ -239,24 +238,13 @@ fn added_sign(fault: &Fault, text: &str) -> Vec<String> {
     vec![format!("{before} + {after}")]
 }
 
-/// The numbers of a text of twelve or sixteen: the three by three on the left of the first three rows,
-/// as they are written. Of words and computations nothing is taken.
+/// The nine numbers of the rotation of a homogeneous matrix, as they are written.
 fn rotation_part(_: &Fault, text: &str) -> Vec<String> {
-    let Some(numbers) = only_numbers(text) else {
+    let Some(matrix) = HomogeneousMatrix::read(text) else {
         return Vec::new();
     };
-    let last_row: Vec<f64> = numbers.iter().skip(12).map(|number| number.value).collect();
-    let is_homogeneous = match numbers.len() {
-        12 => !are_axes(&numbers[..9]),
-        16 => last_row == [0.0, 0.0, 0.0, 1.0],
-        _ => false,
-    };
-    if !is_homogeneous {
-        return Vec::new();
-    }
-    let rows = [0, 4, 8].map(|at| {
-        let row = numbers[at..at + 3].iter();
-        let row: Vec<_> = row.map(|number| &text[number.start..number.end]).collect();
+    let rows = matrix.rotation.map(|row| {
+        let row = row.map(|number| &text[number.start..number.end]);
         row.join(" ")
     });
     // That rows were assumed is still to be said.
@@ -265,15 +253,6 @@ fn rotation_part(_: &Fault, text: &str) -> Vec<String> {
         _ => "\n",
     })]
 }
-
-/// Nine numbers that are a rotation already, before a translation of three.
-fn are_axes(numbers: &[Written]) -> bool {
-    let matrix = Matrix3::from_iterator(numbers.iter().map(|number| number.value));
-    (matrix.transpose() * matrix - Matrix3::identity()).amax() < NEARLY_ORTHONORMAL
-}
-
-/// Entries of two decimals are off by less.
-const NEARLY_ORTHONORMAL: f64 = 0.05;
 
 /// Only what is missing can be added: a name that stands there would stand there twice. The scalar is
 /// none of them, since 0 is half a turn.

@@ -5,7 +5,7 @@ use crate::simulated::{Noise, Simulated, every_probe};
 use quatlas::{
     Behaviour, BehaviourAxis, ComponentOrder, ComponentSign, CosineMatrix, Direction, Function,
     Handedness, IdentifyRequest, Labels, Language, LibraryMatch, MatrixLayout, ObservationReport,
-    Probe, Side,
+    Probe, ProblemCode, Side,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -92,6 +92,24 @@ fn nine_numbers_of_unknown_layout_do_not_settle_the_matrix() {
     // Then another probe is asked for.
     let report = identify(vec![matrix(MatrixLayout::Unknown)]);
     assert!(report.next.is_some());
+}
+
+/// Twelve numbers are no matrix here, whatever a fourth row would be.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_homogeneous_matrix_without_its_last_row_is_refused() {
+    let report = identify(vec![Probe::Matrix {
+        quaternion: "0.5 0.5 0.5 0.5".to_owned(),
+        printed: "0 0 1 0\n1 0 0 0\n0 1 0 0".to_owned(),
+        layout: MatrixLayout::Rows,
+    }]);
+    let [ObservationReport::Problem(found)] = &report.observations[..] else {
+        panic!("one problem: {:?}", report.observations)
+    };
+    assert_eq!(found.problem.code, ProblemCode::NotAMatrix);
+    assert_eq!(
+        found.problem.message,
+        "12 numbers are no quaternion, which has 4, and no matrix, which has 9"
+    );
 }
 
 /// Sixteen numbers are a rotation only where nothing is moved or projected.

@@ -106,11 +106,11 @@ pub use convention::angle::{AngleUnit, UnitSource};
 pub use convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};
 pub use convention::family::Family;
 pub use convention::matrix::{CosineMatrix, MatrixConvention};
-pub use convention::named::NamedConvention;
+pub use convention::order::{ComponentOrder, OrderSource};
+pub use convention::presets::NamedConvention;
 pub use convention::side::{IncrementSign, Side};
 pub use convention::{
-    ComponentOrder, ComponentSign, Convention, Direction, Function, Handedness, OrderSource,
-    Perturbation, UnknownName,
+    ComponentSign, Convention, Direction, Function, Handedness, Perturbation, UnknownName,
 };
 pub use errata::{Erratum, SourceDocument, Witness, errata};
 pub use frames::axis_mapping::{

@@ -9,9 +9,9 @@ use crate::contract::{
     ReadRotationVector,
 };
 use crate::convention::Convention;
-use crate::convention::OrderSource;
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::matrix::MatrixConvention;
+use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem, Span, Wanted};
 use crate::rotation::Rotation;

@@ -1,7 +1,7 @@
 //! The line of code of a library, written with numbers and read back.
 
 use crate::contract::Components;
-use crate::convention::ComponentOrder;
+use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 
 const PLACES: [&str; 4] = ["{w}", "{x}", "{y}", "{z}"];

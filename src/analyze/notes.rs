@@ -7,7 +7,8 @@ use crate::contract::{
     AxesAsColumns, Fact, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note, OrderAssumed,
     OrderFromText, RowsAssumed, UnknownConstructor, UsedNearestRotation,
 };
-use crate::convention::{Convention, OrderSource};
+use crate::convention::Convention;
+use crate::convention::order::OrderSource;
 use crate::problem::Field;
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE};

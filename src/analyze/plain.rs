@@ -1,7 +1,7 @@
 //! Numbers of the types of algebra as the plain ones of a report, where −0 is 0.
 
 use crate::contract::Components;
-use crate::convention::ComponentOrder;
+use crate::convention::order::ComponentOrder;
 use crate::rotation::precise::Norm;
 use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3};
 

@@ -10,8 +10,9 @@ use crate::contract::{
     Note, OutOfRange, OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport,
     TranslatedEnd,
 };
-use crate::convention::OrderSource;
-use crate::convention::{ComponentOrder, Convention};
+use crate::convention::Convention;
+use crate::convention::order::ComponentOrder;
+use crate::convention::order::OrderSource;
 use crate::frames::axis_mapping::{AxesChange, AxisMapping};
 use crate::library::endpoint::{Endpoint, Meaning};
 use crate::library::{Library, libraries, stores_columns};

@@ -1,9 +1,9 @@
 //! One attitude in the report: as it was read, and in every representation.
 
-use crate::convention::OrderSource;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::matrix::{CosineMatrix, MatrixConvention};
-use crate::convention::named::NamedConvention;
+use crate::convention::order::OrderSource;
+use crate::convention::presets::NamedConvention;
 use crate::convention::side::Side;
 use crate::convention::{Convention, Direction};
 use crate::rotation::euler::Survivor;

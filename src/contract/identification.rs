@@ -3,10 +3,9 @@
 use crate::contract::probe::Probe;
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::{IncrementSign, Side};
-use crate::convention::{
-    ComponentOrder, ComponentSign, Direction, Function, Handedness, Perturbation,
-};
+use crate::convention::{ComponentSign, Direction, Function, Handedness, Perturbation};
 use crate::library::Language;
 use crate::library::behaviour::{Behaviour, BehaviourAxis};
 use crate::problem::{Field, Problem};

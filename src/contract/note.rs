@@ -1,8 +1,8 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
-use crate::convention::ComponentOrder;
-use crate::convention::OrderSource;
 use crate::convention::angle::AngleUnit;
+use crate::convention::order::ComponentOrder;
+use crate::convention::order::OrderSource;
 use crate::problem::Field;
 use serde::{Deserialize, Serialize};
 

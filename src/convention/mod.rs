@@ -13,7 +13,10 @@ pub mod family;
 pub mod matrix;
 
 /// The conventions that have a name.
-pub mod named;
+pub mod presets;
+
+/// In which order four numbers are written.
+pub mod order;
 
 // The values of the choices and their names.
 pub(crate) mod names;
@@ -22,78 +25,11 @@ pub(crate) mod names;
 pub mod side;
 
 pub use crate::convention::names::UnknownName;
+use crate::convention::order::ComponentOrder;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 use strum::{Display, EnumMessage, VariantArray, VariantNames};
-
-/// In which order the four numbers are written.
-///
-/// It changes no rotation, only the places of the numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-#[derive(Display, EnumMessage, VariantArray, VariantNames)]
-#[doc(alias("wxyz", "xyzw", "ordering", "scalar_first"))]
-pub enum ComponentOrder {
-    /// `[w, x, y, z]`
-    #[strum(
-        to_string = "scalar-first",
-        serialize = "wxyz",
-        serialize = "w-first",
-        serialize = "first"
-    )]
-    ScalarFirst,
-    /// `[x, y, z, w]`
-    #[strum(
-        to_string = "scalar-last",
-        serialize = "xyzw",
-        serialize = "w-last",
-        serialize = "last"
-    )]
-    ScalarLast,
-}
-
-impl ComponentOrder {
-    /// The other one.
-    #[must_use]
-    pub const fn other(self) -> Self {
-        match self {
-            Self::ScalarFirst => Self::ScalarLast,
-            Self::ScalarLast => Self::ScalarFirst,
-        }
-    }
-
-    /// `[w, x, y, z]` of four numbers that stand in this order.
-    ///
-    /// ```
-    /// use quatlas::ComponentOrder;
-    /// assert_eq!(ComponentOrder::ScalarLast.components([1, 2, 3, 4]), [4, 1, 2, 3]);
-    /// ```
-    #[must_use]
-    pub const fn components<Number: Copy>(self, array: [Number; 4]) -> [Number; 4] {
-        let [a, b, c, d] = array;
-        match self {
-            Self::ScalarFirst => array,
-            Self::ScalarLast => [d, a, b, c],
-        }
-    }
-
-    /// Four numbers `[w, x, y, z]` as they stand in this order.
-    ///
-    /// ```
-    /// use quatlas::ComponentOrder;
-    /// assert_eq!(ComponentOrder::ScalarLast.array(["w", "x", "y", "z"]), ["x", "y", "z", "w"]);
-    /// ```
-    #[must_use]
-    pub const fn array<Number: Copy>(self, components: [Number; 4]) -> [Number; 4] {
-        let [w, x, y, z] = components;
-        match self {
-            Self::ScalarFirst => components,
-            Self::ScalarLast => [x, y, z, w],
-        }
-    }
-}
 
 /// Which product the quaternions have.
 ///
@@ -433,19 +369,4 @@ fn preset(name: &str) -> Option<Convention> {
         "eigen" | "ros" => Some(Convention::HAMILTON_SCALAR_LAST),
         _ => None,
     }
-}
-
-/// How a text told which number is the scalar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum OrderSource {
-    /// It did not: the declared order was used.
-    Declared,
-    /// By names: `w=`, `x:`, `"y":`, or the units i, j, k.
-    Named,
-    /// By brackets: `[w, [x, y, z]]` or `[[x, y, z], w]`.
-    Grouped,
-    /// By a constructor whose order is known, such as `Eigen::Quaterniond`.
-    Constructor,
 }

@@ -2,10 +2,9 @@
 
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::{IncrementSign, Side};
-use crate::convention::{
-    ComponentOrder, ComponentSign, Direction, Handedness, Perturbation, names,
-};
+use crate::convention::{ComponentSign, Direction, Handedness, Perturbation, names};
 use crate::library::Library;
 use serde::{Deserialize, Serialize};
 use strum::VariantArray;

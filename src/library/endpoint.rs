@@ -2,10 +2,9 @@
 
 use crate::convention::family::Family;
 use crate::convention::matrix::{CosineMatrix, MatrixConvention};
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
-use crate::convention::{
-    ComponentOrder, Convention, Direction, Function, Handedness, Perturbation,
-};
+use crate::convention::{Convention, Direction, Function, Handedness, Perturbation};
 use crate::library::{Library, VectorLayout, library};
 use serde::{Deserialize, Serialize};
 

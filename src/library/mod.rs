@@ -16,8 +16,9 @@ pub mod endpoint;
 
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
-use crate::convention::{ComponentOrder, Direction, Handedness};
+use crate::convention::{Direction, Handedness};
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 

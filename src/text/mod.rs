@@ -110,7 +110,7 @@ mod readers;
 // Words and names that are known.
 mod vocabulary;
 
-use crate::convention::ComponentOrder;
+use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
 pub use crate::text::description::ParsedRotation;

@@ -1,7 +1,7 @@
 //! Tokens to a rotation: the words, where there are any, are asked first which description it is, then
 //! a table of readers.
 
-use crate::convention::{ComponentOrder, OrderSource};
+use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::description::list::{members, sequence_among_numbers};

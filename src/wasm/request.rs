@@ -6,9 +6,8 @@
 use crate::contract::request::{ComposeRequest, ReadRequest};
 use crate::convention::euler_sequence::{EulerAxes, EulerFrame, EulerSequence};
 use crate::convention::matrix::MatrixConvention;
-use crate::convention::{
-    ComponentOrder, Convention, Direction, Function, Handedness, Perturbation,
-};
+use crate::convention::order::ComponentOrder;
+use crate::convention::{Convention, Direction, Function, Handedness, Perturbation};
 use crate::wasm::members::{Members, Typed};
 
 pub(crate) const READ: [&str; 6] = [

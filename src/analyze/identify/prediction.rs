@@ -2,8 +2,9 @@
 
 use crate::contract::probe::MatrixLayout;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::IncrementSign;
-use crate::convention::{ComponentOrder, ComponentSign, Handedness, Perturbation};
+use crate::convention::{ComponentSign, Handedness, Perturbation};
 use crate::library::behaviour::{Behaviour, BehaviourAxis};
 use crate::rotation::Rotation;
 use crate::rotation::nearest::nearest;

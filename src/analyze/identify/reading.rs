@@ -2,8 +2,8 @@
 
 use crate::analyze::identify::prediction::{Numbers, Printed, Question};
 use crate::contract::probe::{MatrixLayout, Probe};
-use crate::convention::ComponentOrder;
-use crate::convention::OrderSource;
+use crate::convention::order::ComponentOrder;
+use crate::convention::order::OrderSource;
 use crate::library::{Language, stores_columns};
 use crate::motion::perturbation::exponential;
 use crate::problem::fault::Fault;

@@ -3,8 +3,9 @@
 use crate::contract::Remaining;
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::order::ComponentOrder;
 use crate::convention::side::{IncrementSign, Side};
-use crate::convention::{ComponentOrder, Direction, Handedness, Perturbation};
+use crate::convention::{Direction, Handedness, Perturbation};
 
 /// One sentence of what is settled, one of what that is called, and one of what is not settled.
 pub(crate) fn sentence(name: &str, left: &Remaining) -> String {

@@ -1,7 +1,7 @@
 //! Members of a text to named components: which number is the scalar, and what is no quaternion.
 
-use crate::convention::ComponentOrder;
-use crate::convention::OrderSource;
+use crate::convention::order::ComponentOrder;
+use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted, shorten};
 use crate::text::description::list::{check_separators, held, values};

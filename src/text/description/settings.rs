@@ -1,7 +1,7 @@
 //! Named words that say something of all the numbers beside them: a unit, an order.
 
-use crate::convention::ComponentOrder;
 use crate::convention::angle::AngleUnit;
+use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::text::description::parts;
 use crate::text::grammar::lex::{Token, TokenKind};

@@ -1,6 +1,6 @@
 //! Which order the constructors of known libraries take their numbers in.
 
-use crate::convention::ComponentOrder::{self, ScalarFirst, ScalarLast};
+use crate::convention::order::ComponentOrder::{self, ScalarFirst, ScalarLast};
 use crate::text::grammar::lex::last_segment;
 
 /// A constructor's last path segments, joined by points, and the order of its arguments.

@@ -1,15 +1,8 @@
 // *More*: the five axes of the declared convention, and how nine typed numbers are read.
 import type { Convention, MatrixConvention } from "../../engine.ts";
-import {
-  type Axis,
-  axes,
-  declarationOf,
-  differing,
-  namedConventions,
-  namedOf,
-  operatorOf,
-} from "../../model/conventions.ts";
+import { type Axis, axes, declarationOf, differing, operatorOf } from "../../model/conventions.ts";
 import { declaredConvention, type Store } from "../../state/store.ts";
+import { namedConventionValues } from "../../values.ts";
 import { conventionNames } from "../../words/conventions.ts";
 import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
@@ -23,7 +16,7 @@ export function MoreAxes({ store }: { store: Store }) {
   const base = store.engine[state.preset];
   const setAxis = (axis: Axis, value: string) =>
     store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
-  const namedNow = namedOf(convention, store.engine);
+  const { named } = store.engine.describe(convention);
   const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
   const setMatrix = (axis: keyof MatrixConvention, value: string) =>
     store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
@@ -37,12 +30,12 @@ export function MoreAxes({ store }: { store: Store }) {
         <div class="named-conventions">
           <span id="named-conventions">{words.named}</span>
           <ul aria-labelledby="named-conventions">
-            {namedConventions.map((name) => (
+            {namedConventionValues.map((name) => (
               <li key={name}>
                 <button
                   type="button"
                   class="quiet"
-                  aria-pressed={name === namedNow}
+                  aria-pressed={name === named}
                   onClick={() => store.set(declarationOf(name, store.engine))}
                 >
                   {conventionNames[name]}

@@ -5,7 +5,6 @@ import type {
   Library,
   LibraryDescription,
   Outcome,
-  Presets,
   Probe,
   Request,
 } from "../pkg/quatlas.js";
@@ -13,7 +12,6 @@ import wholeUrl from "../pkg/quatlas_bg.wasm?url";
 import loadSmall, {
   analyze,
   describeConvention,
-  presets,
   readNumber,
   startAnew,
   takePanicMessage,
@@ -35,7 +33,7 @@ export type Describe = (
 ) => ConventionDescription & { preset: "hamilton" | "jpl" | undefined };
 
 /** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
-export interface Engine extends Presets {
+export interface Engine {
   views: readonly Request["view"][];
   /** What libraries do, in the order of the table; only the whole core has it. */
   libraries: readonly Library[];
@@ -53,14 +51,13 @@ export interface Engine extends Presets {
 /** What is called of either core. */
 interface EitherCore extends Core {
   describeConvention: (convention: Convention) => ConventionDescription;
-  presets: () => Presets;
   readNumber: (text: string) => number | undefined;
 }
 
 // One by one, so that what is not named here is not in the script.
 const small: EitherCore = {
   ...{ analyze, startAnew, takePanicMessage },
-  ...{ describeConvention, presets, readNumber },
+  ...{ describeConvention, readNumber },
 };
 
 export async function loadSmallEngine(): Promise<Engine> {
@@ -92,7 +89,6 @@ async function fetchWholeEngine(): Promise<Engine> {
     describeConvention,
     describeLibrary,
     librariesJson,
-    presets,
     readNumber,
     standardProbes,
     startAnew,
@@ -101,7 +97,7 @@ async function fetchWholeEngine(): Promise<Engine> {
   await loadWhole({ module_or_path: wholeUrl });
   const whole: EitherCore = {
     ...{ analyze, startAnew, takePanicMessage },
-    ...{ describeConvention, presets, readNumber },
+    ...{ describeConvention, readNumber },
   };
   const call = calling(whole);
   return {
@@ -121,7 +117,6 @@ function answersOf(core: EitherCore, call: ReturnType<typeof calling>) {
       call(() => core.describeConvention(convention)) as ReturnType<Describe>,
   );
   return {
-    ...core.presets(),
     analyze: (request: Request): Outcome | Failure => {
       try {
         return answer(request);

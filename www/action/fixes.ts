@@ -8,11 +8,12 @@ import type {
   ReadReport,
 } from "../engine.ts";
 import { namesOf, otherOrder } from "../model/component_order.ts";
-import { differing, operatorOf } from "../model/conventions.ts";
+import { declaredConvention, differing, operatorOf } from "../model/conventions.ts";
 import type { PageState, View } from "../model/page_state.ts";
 import { exact } from "../number/format.ts";
 import { announce } from "../state/announcement.ts";
-import { declaredConvention, type Store } from "../state/store.ts";
+import type { Store } from "../state/store.ts";
+import { namedConventions } from "../values.ts";
 import { lettersOf, symbolOf } from "../words/conventions.ts";
 import { doneWords, fixWords, remedyWords } from "../words/parts/notes.tsx";
 
@@ -207,8 +208,8 @@ function declaresOrder(
       label: label(lettersOf[order]),
       changes: "declaration",
       change: () => {
-        const changed = { ...declaredConvention(store.state.peek(), store.engine), order };
-        return { axes: differing(changed, store.engine[state.preset]) };
+        const changed = { ...declaredConvention(store.state.peek()), order };
+        return { axes: differing(changed, namedConventions[state.preset]) };
       },
     },
   ];

@@ -2,7 +2,7 @@
 // the five axes `:scalar-last,left,passive,world-to-body,local`.
 import type { Convention, Endpoint } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
-import { HAMILTON, JPL } from "../values.ts";
+import { namedConventions } from "../values.ts";
 
 /** Whether there is a library with this id. */
 export type IsLibrary = (id: string) => boolean;
@@ -11,18 +11,17 @@ const conventionMark = ":";
 const partMark = "~";
 const axisMark = ",";
 
-const named = new Map([
-  ["hamilton", HAMILTON],
-  ["jpl", JPL],
-]);
+/** The conventions that a link names. */
+const named = ["hamilton", "jpl"] as const;
 
 export function endToText(end: Endpoint): string {
   if (end.kind === "library") {
     return [end.id, end.order, end.direction].filter((part) => part !== undefined).join(partMark);
   }
   const { convention } = end;
-  const isIt = (other: Convention) => axes.every((axis) => other[axis] === convention[axis]);
-  const name = [...named].find(([, other]) => isIt(other))?.[0];
+  const name = named.find((name) =>
+    axes.every((axis) => namedConventions[name][axis] === convention[axis]),
+  );
   return conventionMark + (name ?? axes.map((axis) => convention[axis]).join(axisMark));
 }
 
@@ -31,7 +30,8 @@ export function endFromText(text: string | null, isLibrary: IsLibrary): Endpoint
   if (text === null) return undefined;
   if (!text.startsWith(conventionMark)) return libraryFrom(text, isLibrary);
   const name = text.slice(conventionMark.length);
-  const convention = named.get(name) ?? fiveFrom(name);
+  const known = named.find((other) => other === name);
+  const convention = known ? namedConventions[known] : fiveFrom(name);
   return convention && { kind: "convention", convention: { ...convention } };
 }
 

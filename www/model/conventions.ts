@@ -2,7 +2,6 @@
 import type {
   Convention,
   Direction,
-  Engine,
   Handedness,
   MatrixConvention,
   NamedConvention,
@@ -12,6 +11,7 @@ import {
   directionValues,
   functionValues,
   handednessValues,
+  namedConventions,
   operatorDirections,
   perturbationValues,
 } from "../values.ts";
@@ -46,15 +46,22 @@ export function differing(convention: Convention, base: Convention): Partial<Con
 /** What a named convention declares: the preset of its product, its axes, and the matrix beside it. */
 export function declarationOf(
   name: NamedConvention,
-  engine: Engine,
 ): Pick<PageState, "preset" | "axes" | "matrix"> {
-  const convention = engine[name];
+  const convention = namedConventions[name];
   const preset = presetOf[convention.handedness];
   // “My Lab” pairs its quaternion with the passive matrix of the same direction.
   const direction = name === "myLab" ? convention.direction : "body-to-world";
   return {
     preset,
-    axes: differing(convention, engine[preset]),
+    axes: differing(convention, namedConventions[preset]),
     matrix: { function: "passive", direction },
   };
+}
+
+/** What four typed numbers are declared to mean. */
+export function declaredConvention({
+  preset,
+  axes,
+}: Pick<PageState, "preset" | "axes">): Convention {
+  return { ...namedConventions[preset], ...axes };
 }

@@ -11,7 +11,7 @@ const types = join("pkg", "values.d.ts");
 /** Whether both files are there. */
 export const areValuesWritten = () => exists(script) && exists(types);
 
-/** Writes `pkg/values.js` and its types: one constant for each list and each convention. */
+/** Writes `pkg/values.js` and its types: one constant for each list, and what the core is asked. */
 export async function writeValues() {
   const declared = readFileSync(join(root, "pkg", "quatlas.d.ts"), "utf8");
   const lists = listsIn(declared);
@@ -20,7 +20,8 @@ export async function writeValues() {
   const line = ({ name, value }) => `export const ${name} = ${JSON.stringify(value)};\n`;
   const typeLine = ({ name, type }) => `export declare const ${name}: ${type};\n`;
   writeFileSync(join(root, script), title + constants.map(line).join(""));
-  const imported = 'import type { Convention, Direction, Function } from "./quatlas.js";\n';
+  const imported =
+    'import type { Convention, Direction, Function, NamedConvention } from "./quatlas.js";\n';
   writeFileSync(join(root, types), title + imported + constants.map(typeLine).join(""));
 }
 
@@ -42,12 +43,6 @@ async function askedOfCore(lists) {
   const core = await import(pathToFileURL(join(root, "pkg", "quatlas.js")).href);
   core.initSync({ module: readFileSync(join(root, "pkg", "quatlas_bg.wasm")) });
   const presets = core.presets();
-  const conventions = Object.entries(presets).map(([name, value]) => ({
-    // `myLab` as the package calls it: `MY_LAB`.
-    name: name.replace(/[A-Z]/g, (capital) => `_${capital}`).toUpperCase(),
-    value,
-    type: "Readonly<Convention>",
-  }));
   const tableOf = (list, of) =>
     Object.fromEntries(
       lists.find(({ name }) => name === list).value.map((value) => [value, of(value)]),
@@ -55,7 +50,11 @@ async function askedOfCore(lists) {
   const operatorOf = (does) => (direction) =>
     core.describeConvention({ ...presets.hamilton, function: does, direction }).rules.operator;
   return [
-    ...conventions,
+    {
+      name: "namedConventions",
+      value: tableOf("namedConventionValues", (name) => presets[name]),
+      type: "Readonly<Record<NamedConvention, Readonly<Convention>>>",
+    },
     {
       name: "operatorDirections",
       value: tableOf("functionValues", (does) => tableOf("directionValues", operatorOf(does))),

@@ -1,8 +1,15 @@
 // *More*: the five axes of the declared convention, and how nine typed numbers are read.
 import type { Convention, MatrixConvention } from "../../engine.ts";
-import { type Axis, axes, declarationOf, differing, operatorOf } from "../../model/conventions.ts";
-import { declaredConvention, type Store } from "../../state/store.ts";
-import { namedConventionValues } from "../../values.ts";
+import {
+  type Axis,
+  axes,
+  declarationOf,
+  declaredConvention,
+  differing,
+  operatorOf,
+} from "../../model/conventions.ts";
+import type { Store } from "../../state/store.ts";
+import { namedConventions, namedConventionValues } from "../../values.ts";
 import { conventionNames } from "../../words/conventions.ts";
 import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
@@ -12,8 +19,8 @@ import "./more_axes.css";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;
-  const convention = declaredConvention(state, store.engine);
-  const base = store.engine[state.preset];
+  const convention = declaredConvention(state);
+  const base = namedConventions[state.preset];
   const setAxis = (axis: Axis, value: string) =>
     store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
   const { named } = store.engine.describe(convention);
@@ -36,7 +43,7 @@ export function MoreAxes({ store }: { store: Store }) {
                   type="button"
                   class="quiet"
                   aria-pressed={name === named}
-                  onClick={() => store.set(declarationOf(name, store.engine))}
+                  onClick={() => store.set(declarationOf(name))}
                 >
                   {conventionNames[name]}
                 </button>

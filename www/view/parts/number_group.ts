@@ -1,9 +1,10 @@
 // Numbers of the result that are edited together: a quaternion, a matrix, the angles of a sequence.
 import type { Convention, Direction, Problem, Span } from "../../engine.ts";
 import { namesOf } from "../../model/component_order.ts";
+import { declaredConvention } from "../../model/conventions.ts";
 import { type Description, editedState, editedText } from "../../number/edited_text.ts";
 import { exact } from "../../number/format.ts";
-import { declaredConvention, type Store } from "../../state/store.ts";
+import type { Store } from "../../state/store.ts";
 
 /** What a group of fields edits. */
 export interface Edited {
@@ -87,7 +88,7 @@ export function editedComponents(
     id,
     describe: () => {
       const { engine, state } = store;
-      const declared = declaredConvention(state.peek(), engine);
+      const declared = declaredConvention(state.peek());
       return {
         kind: "components",
         names: namesOf[order],

@@ -4,7 +4,7 @@ import { toFragment } from "../../address/fragment.ts";
 import type { ComponentOrder, Convention, Direction, Endpoint, Library } from "../../engine.ts";
 import { type Axis, axes } from "../../model/conventions.ts";
 import type { Store } from "../../state/store.ts";
-import { directionValues } from "../../values.ts";
+import { directionValues, namedConventions } from "../../values.ts";
 import { arrowOf, lettersOf } from "../../words/conventions.ts";
 import { knownWords } from "../../words/library_behaviour.ts";
 import * as words from "../../words/translate/end_choice.ts";
@@ -29,8 +29,8 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
     const now =
       end.kind === "convention"
         ? end.convention
-        : (engine.describeLibrary(end.id)?.convention ?? engine.hamilton);
-    const convention = kind === "custom" ? now : engine[kind];
+        : (engine.describeLibrary(end.id)?.convention ?? namedConventions.hamilton);
+    const convention = kind === "custom" ? now : namedConventions[kind];
     set({ kind: "convention", convention });
   };
   return (

@@ -22,6 +22,7 @@ type Joined<Names extends readonly string[]> = Names extends readonly [
     : `${First} ${Joined<Rest>}`
   : never;
 
+/** The order that an order is not. */
 export const otherOrder: Record<ComponentOrder, ComponentOrder> = {
   "scalar-first": "scalar-last",
   "scalar-last": "scalar-first",

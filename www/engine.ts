@@ -56,8 +56,11 @@ interface EitherCore extends Core {
 
 // One by one, so that what is not named here is not in the script.
 const small: EitherCore = {
-  ...{ analyze, startAnew, takePanicMessage },
-  ...{ describeConvention, readNumber },
+  analyze,
+  describeConvention,
+  readNumber,
+  startAnew,
+  takePanicMessage,
 };
 
 export async function loadSmallEngine(): Promise<Engine> {
@@ -95,10 +98,7 @@ async function fetchWholeEngine(): Promise<Engine> {
     takePanicMessage,
   } = await import("../pkg/quatlas.js");
   await loadWhole({ module_or_path: wholeUrl });
-  const whole: EitherCore = {
-    ...{ analyze, startAnew, takePanicMessage },
-    ...{ describeConvention, readNumber },
-  };
+  const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
   const call = calling(whole);
   return {
     views: ["read", "compose", "translate", "identify"],

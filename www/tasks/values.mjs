@@ -28,7 +28,7 @@ export async function writeValues() {
 /** For each type that is a choice of names, such as `EulerAxes`, the list `eulerAxesValues`. */
 function listsIn(declared) {
   const choices = declared.matchAll(/^export type (\w+) = ("[^"]+"(?: \| "[^"]+")*);$/gm);
-  return [...choices].map(([, type = "", union = ""]) => {
+  return [...choices].map(([, type, union]) => {
     const value = union.split(" | ").map((name) => JSON.parse(name));
     return {
       name: `${type.charAt(0).toLowerCase()}${type.slice(1)}Values`,

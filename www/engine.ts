@@ -1,9 +1,23 @@
 // The one door to the core: the only file of the page that imports the wasm.
-import type { Library, Outcome, Request, TranslatedEnd } from "../pkg/quatlas.js";
+import type {
+  Convention,
+  ConventionDescription,
+  Library,
+  LibraryDescription,
+  Outcome,
+  Probe,
+  Request,
+} from "../pkg/quatlas.js";
 import wholeUrl from "../pkg/quatlas_bg.wasm?url";
-import * as small from "../pkg/small/quatlas_small.js";
+import loadSmall, {
+  analyze,
+  describeConvention,
+  readNumber,
+  startAnew,
+  takePanicMessage,
+} from "../pkg/small/quatlas_small.js";
 import smallUrl from "../pkg/small/quatlas_small_bg.wasm?url";
-import { answering, type Core, CoreStopped } from "./package/answering.ts";
+import { answering, type Core, CoreStopped, calling } from "./package/answering.ts";
 
 export type * from "../pkg/quatlas.js";
 
@@ -13,25 +27,50 @@ export interface Failure {
   message: string;
 }
 
+/** What a convention is called and does. */
+export type Describe = (
+  convention: Convention,
+) => ConventionDescription & { preset: "hamilton" | "jpl" | undefined };
+
 /** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
-export interface Engine extends ReturnType<typeof small.presets> {
+export interface Engine {
   views: readonly Request["view"][];
   /** What libraries do, in the order of the table; only the whole core has it. */
   libraries: readonly Library[];
+  /** The probes that are proposed, one of each kind; only the whole core has them. */
+  standardProbes: readonly Probe[];
   /** The answer to a request. It never throws. */
   analyze: (request: Request) => Outcome | Failure;
-  /** What a library of the table does by itself, with an example; nothing for another id. */
-  endOf: (id: string) => TranslatedEnd | undefined;
+  describe: Describe;
+  /** What a library of the table does by itself; nothing for another id. */
+  describeLibrary: (id: string) => LibraryDescription | undefined;
+  /** The one number that a text holds; nothing where it holds none, or several. It never throws. */
+  readNumber: (text: string) => number | undefined;
 }
 
+/** What is called of either core. */
+interface EitherCore extends Core {
+  describeConvention: (convention: Convention) => ConventionDescription;
+  readNumber: (text: string) => number | undefined;
+}
+
+// One by one, so that what is not named here is not in the script.
+const small: EitherCore = {
+  analyze,
+  describeConvention,
+  readNumber,
+  startAnew,
+  takePanicMessage,
+};
+
 export async function loadSmallEngine(): Promise<Engine> {
-  await small.default({ module_or_path: smallUrl });
+  await loadSmall({ module_or_path: smallUrl });
   return {
     views: ["read", "compose"],
-    ...small.presets(),
     libraries: [],
-    analyze: analyzing(small),
-    endOf: () => undefined,
+    standardProbes: [],
+    ...answersOf(small, calling(small)),
+    describeLibrary: () => undefined,
   };
 }
 
@@ -47,41 +86,66 @@ export function loadWholeEngine(): Promise<Engine> {
 }
 
 async function fetchWholeEngine(): Promise<Engine> {
-  const whole = await import("../pkg/quatlas.js");
-  await whole.default({ module_or_path: wholeUrl });
-  const analyze = analyzing(whole);
+  const {
+    default: loadWhole,
+    analyze,
+    describeConvention,
+    describeLibrary,
+    librariesJson,
+    readNumber,
+    standardProbes,
+    startAnew,
+    takePanicMessage,
+  } = await import("../pkg/quatlas.js");
+  await loadWhole({ module_or_path: wholeUrl });
+  const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
+  const call = calling(whole);
   return {
     views: ["read", "compose", "translate", "identify"],
-    ...whole.presets(),
-    libraries: JSON.parse(whole.librariesJson()),
-    analyze,
-    endOf: remembered((id) => endOf(id, analyze)),
+    libraries: JSON.parse(librariesJson()),
+    standardProbes: standardProbes(),
+    ...answersOf(whole, call),
+    describeLibrary: remembered((id) => call(() => describeLibrary(id))),
   };
 }
 
-/** The end that a library is when nothing is said beyond its record. */
-function endOf(id: string, analyze: Engine["analyze"]): TranslatedEnd | undefined {
-  const end = { kind: "library", id } as const;
-  const answer = analyze({ view: "translate", quaternion: "1 2 3 4", from: end, to: end });
-  return answer.status === "translate" ? answer.from : undefined;
+/** What both cores answer. */
+function answersOf(core: EitherCore, call: ReturnType<typeof calling>) {
+  const answer = answering(core, call);
+  const described = remembered(
+    (_, convention: Convention) =>
+      call(() => core.describeConvention(convention)) as ReturnType<Describe>,
+  );
+  return {
+    analyze: (request: Request): Outcome | Failure => {
+      try {
+        return answer(request);
+      } catch (error) {
+        const message = error instanceof CoreStopped ? error.reason : String(error);
+        return { status: "failure", message };
+      }
+    },
+    describe: (convention: Convention) => {
+      const { order, handedness, function: does, direction, perturbation } = convention;
+      return described([order, handedness, does, direction, perturbation].join(), convention);
+    },
+    readNumber: (text: string) => {
+      try {
+        return call(() => core.readNumber(text));
+      } catch {
+        return undefined;
+      }
+    },
+  };
 }
 
-function remembered<Value>(of: (id: string) => Value): (id: string) => Value {
+/** A function that computes once for each key. */
+function remembered<Rest extends unknown[], Value>(
+  of: (key: string, ...rest: Rest) => Value,
+): (key: string, ...rest: Rest) => Value {
   const known = new Map<string, Value>();
-  return (id) => {
-    if (!known.has(id)) known.set(id, of(id));
-    return known.get(id) as Value;
-  };
-}
-
-function analyzing(core: Core): Engine["analyze"] {
-  const answer = answering(core);
-  return (request) => {
-    try {
-      return answer(request);
-    } catch (error) {
-      const message = error instanceof CoreStopped ? error.reason : String(error);
-      return { status: "failure", message };
-    }
+  return (key, ...rest) => {
+    if (!known.has(key)) known.set(key, of(key, ...rest));
+    return known.get(key) as Value;
   };
 }

@@ -4,16 +4,17 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 // @ts-expect-error three.js has no types of its own.
 import * as THREE from "three";
-import { analyze, initSync, presets } from "../../pkg/quatlas.js";
+import { analyze, describeConvention, initSync, presets } from "../../pkg/quatlas.js";
 import { columnValues, declaredValues, eulerValue, turnValues } from "../../www/copy/values.ts";
 import { preview, written } from "../../www/copy/write.ts";
-import type { Convention, EulerAxes, EulerFrame, ReadReport } from "../../www/engine.ts";
-import { type Copied, directionOfR } from "../../www/model/copied.ts";
+import type { Convention, Describe, EulerAxes, EulerFrame, ReadReport } from "../../www/engine.ts";
+import type { Copied } from "../../www/model/copied.ts";
 import { type CodeFormat, canSay, formats } from "../../www/model/copy_formats.ts";
 
 const root = new URL("../../", import.meta.url);
 initSync({ module: readFileSync(new URL("pkg/quatlas_bg.wasm", root)) });
 const { hamilton, jpl } = presets();
+const describe = describeConvention as Describe;
 
 function read(text: string, convention: Convention, axes = "zyx", frame = "intrinsic") {
   const euler = { axes: axes as EulerAxes, frame: frame as EulerFrame };
@@ -36,20 +37,23 @@ const origin = {
 function values(): Record<string, Copied> {
   const report = read(numbers, jpl);
   const halfSpace = read("180deg about [0.6, 0, 0.8]", hamilton);
-  const columns = { hamilton: columnValues(report.hamilton), jpl: columnValues(report.jpl) };
-  const turn = turnValues(report);
+  const columns = {
+    hamilton: columnValues(report.hamilton, describe),
+    jpl: columnValues(report.jpl, describe),
+  };
+  const turn = turnValues(report, describe);
   if (turn.axisAngle === undefined || columns.jpl.image === undefined) throw new Error("no turn");
   return {
     hamilton: columns.hamilton.quaternion,
     jpl: columns.jpl.quaternion,
     "hamilton-conjugate": columns.hamilton.conjugate,
-    yoosefian: declaredValues(read(numbers, yoosefian)).quaternion,
-    active: declaredValues(read(numbers, active)).quaternion,
-    "norm-2": columnValues(read("2 0 0 0", hamilton).hamilton).quaternion,
-    "tiny-part": columnValues(read("1 1e-9 -2.5e-12 0", hamilton).hamilton).quaternion,
+    yoosefian: declaredValues(read(numbers, yoosefian), describe).quaternion,
+    active: declaredValues(read(numbers, active), describe).quaternion,
+    "norm-2": columnValues(read("2 0 0 0", hamilton).hamilton, describe).quaternion,
+    "tiny-part": columnValues(read("1 1e-9 -2.5e-12 0", hamilton).hamilton, describe).quaternion,
     matrix: columns.hamilton.matrix,
     "jpl-matrix": columns.jpl.matrix,
-    "half-turn": columnValues(halfSpace.hamilton).matrix,
+    "half-turn": columnValues(halfSpace.hamilton, describe).matrix,
     product: columns.jpl.left,
     vector: columns.jpl.image,
     "axis-angle": turn.axisAngle,
@@ -180,10 +184,12 @@ test("in all 32 conventions the direction that a comment names is that of the ma
   }
   expect(conventions).toHaveLength(32);
   for (const convention of conventions as Convention[]) {
-    const { declared, hamilton: attitude, jpl: transposed, rules } = read(numbers, convention);
+    const report = read(numbers, convention);
+    const { declared, hamilton: attitude, jpl: transposed, paired, rules } = report;
     const { w, x, y, z } = declared.quaternion;
     const rotation = read(`w=${w} x=${x} y=${y} z=${z}`, hamilton).hamilton.matrix;
-    const isBodyToWorld = directionOfR(declared.convention) === "body-to-world";
+    const { quaternion } = declaredValues({ declared, paired }, describe);
+    const isBodyToWorld = quaternion.hamiltonMatrix === "body-to-world";
     expect(isBodyToWorld).toBe(rules.isCanonical);
     expect(rotation).toEqual(isBodyToWorld ? attitude.matrix : transposed.matrix);
   }

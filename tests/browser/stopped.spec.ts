@@ -1,5 +1,6 @@
 // A core that cannot be loaded says why, and one that stops is made anew: nothing is permanent.
 import { type Page, test as unwatched } from "@playwright/test";
+import { answering, CoreStopped, calling } from "../../www/package/answering.ts";
 import { expect, matrix, numbersOf, quaternionField, test } from "./support/page.ts";
 
 const quarterTurn = [0, -1, 0, 1, 0, 0, 0, 0, 1];
@@ -41,6 +42,22 @@ for (const address of ["/", "/#translate"]) {
     await expect(failure).toHaveCount(0);
   });
 }
+
+unwatched("after a trap whatever is called next has a new instance", () => {
+  const done: string[] = [];
+  const core = {
+    analyze: () => {
+      throw new WebAssembly.RuntimeError("unreachable");
+    },
+    startAnew: () => void done.push("anew"),
+    takePanicMessage: () => undefined,
+  };
+  const call = calling(core);
+  expect(() => answering(core, call)({})).toThrow(CoreStopped);
+  call(() => done.push("described"));
+  call(() => done.push("described again"));
+  expect(done).toEqual(["anew", "described", "described again"]);
+});
 
 const loadingLine = (page: Page) => page.locator("[data-loading]");
 const advice = "wasm-unsafe-eval";

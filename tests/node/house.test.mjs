@@ -9,7 +9,7 @@ import { parseSync } from "vite";
 const page = fileURLToPath(new URL("../../www", import.meta.url));
 
 /** What every room above the model may use. */
-const ground = ["engine.ts", "model"];
+const ground = ["engine.ts", "values.ts", "model"];
 const parts = [
   ...ground,
   ...["dom", "number", "address", "state", "words", "action", "copy", "picture"],
@@ -23,8 +23,10 @@ const parts = [
 const mayUse = {
   package: [],
   "engine.ts": ["package"],
+  // The core's names and conventions as constants: what reads an address has no core yet.
+  "values.ts": [],
   dom: [],
-  model: ["engine.ts"],
+  model: ["engine.ts", "values.ts"],
   number: ground,
   address: ground,
   // Waits: tables of attitudes out of files and into them.
@@ -48,7 +50,7 @@ const mayUse = {
 };
 
 /** The rooms that may name the built core. */
-const nextToCore = ["engine.ts", "package"];
+const nextToCore = ["engine.ts", "values.ts", "package"];
 
 /** The room of a file: its folder, that of a view, or its own name where it stands in none. */
 function roomOf(file) {

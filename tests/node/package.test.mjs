@@ -230,7 +230,7 @@ test("the golden cases of one attitude in every handedness, function and directi
 });
 
 test("every bad input of the problem files is a problem with the same message", () => {
-  const folder = join(root, "tests", "problems");
+  const folder = join(root, "tests", "text", "problems");
   const files = readdirSync(folder).filter((name) => name.endsWith(".txt"));
   let compared = 0;
   for (const name of files) {

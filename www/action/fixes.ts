@@ -7,13 +7,15 @@ import type {
   ReadQuaternion,
   ReadReport,
 } from "../engine.ts";
-import { axes, operatorOf } from "../model/conventions.ts";
+import { namesOf, otherOrder } from "../model/component_order.ts";
+import { declaredConvention, differing, operatorOf } from "../model/conventions.ts";
 import type { PageState, View } from "../model/page_state.ts";
 import { exact } from "../number/format.ts";
 import { announce } from "../state/announcement.ts";
-import { declaredConvention, type Store } from "../state/store.ts";
+import type { Store } from "../state/store.ts";
+import { namedConventions } from "../values.ts";
 import { lettersOf, symbolOf } from "../words/conventions.ts";
-import { doneWords, fixWords, otherOrder, remedyWords } from "../words/parts/notes.tsx";
+import { doneWords, fixWords, remedyWords } from "../words/parts/notes.tsx";
 
 export interface Fix {
   /** What it does, as its button says. */
@@ -190,8 +192,7 @@ function named(
   components: Pick<Components, "w" | "x" | "y" | "z">,
   { convention }: ReadQuaternion,
 ): string {
-  const letters = lettersOf[convention.order].split(" ") as ("w" | "x" | "y" | "z")[];
-  return letters.map((letter) => `${letter}=${exact(components[letter])}`).join(" ");
+  return namesOf[convention.order].map((name) => `${name}=${exact(components[name])}`).join(" ");
 }
 
 function declaresOrder(
@@ -207,10 +208,8 @@ function declaresOrder(
       label: label(lettersOf[order]),
       changes: "declaration",
       change: () => {
-        const preset = store.engine[state.preset];
-        const changed = { ...declaredConvention(store.state.peek(), store.engine), order };
-        const differing = axes.filter((axis) => changed[axis] !== preset[axis]);
-        return { axes: Object.fromEntries(differing.map((axis) => [axis, changed[axis]])) };
+        const changed = { ...declaredConvention(store.state.peek()), order };
+        return { axes: differing(changed, namedConventions[state.preset]) };
       },
     },
   ];

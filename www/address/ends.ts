@@ -2,6 +2,7 @@
 // the five axes `:scalar-last,left,passive,world-to-body,local`.
 import type { Convention, Endpoint } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
+import { namedConventions } from "../values.ts";
 
 /** Whether there is a library with this id. */
 export type IsLibrary = (id: string) => boolean;
@@ -10,28 +11,18 @@ const conventionMark = ":";
 const partMark = "~";
 const axisMark = ",";
 
-const named: [string, Convention][] = [
-  ["hamilton", conventionOf("scalar-first", "right", "passive", "body-to-world", "local")],
-  ["jpl", conventionOf("scalar-last", "left", "passive", "world-to-body", "local")],
-];
-
-function conventionOf(
-  order: Convention["order"],
-  handedness: Convention["handedness"],
-  does: Convention["function"],
-  direction: Convention["direction"],
-  perturbation: Convention["perturbation"],
-): Convention {
-  return { order, handedness, function: does, direction, perturbation };
-}
+/** The conventions that a link names. */
+const named = ["hamilton", "jpl"] as const;
 
 export function endToText(end: Endpoint): string {
   if (end.kind === "library") {
     return [end.id, end.order, end.direction].filter((part) => part !== undefined).join(partMark);
   }
   const { convention } = end;
-  const name = named.find(([, other]) => axes.every((axis) => other[axis] === convention[axis]));
-  return conventionMark + (name ? name[0] : axes.map((axis) => convention[axis]).join(axisMark));
+  const name = named.find((name) =>
+    axes.every((axis) => namedConventions[name][axis] === convention[axis]),
+  );
+  return conventionMark + (name ?? axes.map((axis) => convention[axis]).join(axisMark));
 }
 
 /** Nothing for a text that names no end. */
@@ -39,7 +30,8 @@ export function endFromText(text: string | null, isLibrary: IsLibrary): Endpoint
   if (text === null) return undefined;
   if (!text.startsWith(conventionMark)) return libraryFrom(text, isLibrary);
   const name = text.slice(conventionMark.length);
-  const convention = named.find(([known]) => known === name)?.[1] ?? fiveFrom(name);
+  const known = named.find((other) => other === name);
+  const convention = known ? namedConventions[known] : fiveFrom(name);
   return convention && { kind: "convention", convention: { ...convention } };
 }
 

@@ -1,10 +1,11 @@
 // The address is the state: everything typed and chosen, in the fragment.
-import type { Convention, Endpoint, EulerSequence, Language, Probe } from "../engine.ts";
+import type { Convention, Endpoint, EulerSequence, Probe } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
-import { eulerAxes, sequenceName } from "../model/euler_sequence.ts";
+import { sequenceName } from "../model/euler_sequence.ts";
 import type { PageState, Unit } from "../model/page_state.ts";
 import { digitChoices, opening, unitChoices, views } from "../model/page_state.ts";
-import { mostObservations, probeKinds } from "../model/probes.ts";
+import { mostObservations } from "../model/probes.ts";
+import { eulerAxesValues, eulerFrameValues, languageValues, probeKindValues } from "../values.ts";
 import { endFromText, endToText, type IsLibrary } from "./ends.ts";
 import { pictureFrom, pictureToTexts } from "./picture.ts";
 import { probeFromText, probeToText } from "./probes.ts";
@@ -23,11 +24,6 @@ const texts = {
   library: "library",
 } as const satisfies Partial<Record<keyof PageState, string>>;
 type Text = keyof typeof texts;
-
-const languages: Language[] = [
-  ...(["python", "cpp", "c", "rust", "javascript"] as const),
-  ...(["java", "csharp", "swift", "matlab", "message"] as const),
-];
 
 /**
  * What the parameters mean, as `v` in front of them; without it 1. A new parameter, or a new value of
@@ -119,8 +115,8 @@ export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true
     to: endFromText(parameters.get("to"), isLibrary) ?? opening.to,
     observations: probesFrom(parameters),
     picture: pictureFrom(parameters),
-    language: oneOf(languages, parameters.get("language")) ?? opening.language,
-    unavailable: probeKinds.filter((kind) =>
+    language: oneOf(languageValues, parameters.get("language")) ?? opening.language,
+    unavailable: probeKindValues.filter((kind) =>
       parameters.get("unavailable")?.split(",").includes(kind),
     ),
   };
@@ -160,11 +156,10 @@ function axesFrom(parameters: URLSearchParams): Partial<Convention> {
 }
 
 function sequenceFrom(name: string | null): EulerSequence | undefined {
-  const letters = oneOf(eulerAxes, name?.toLowerCase() ?? null);
-  const frames = ["intrinsic", "extrinsic"] as const;
+  const letters = oneOf(eulerAxesValues, name?.toLowerCase() ?? null);
   return (
     letters &&
-    frames
+    eulerFrameValues
       .map((frame) => ({ axes: letters, frame }))
       .find((sequence) => sequenceName(sequence) === name)
   );

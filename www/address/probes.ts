@@ -1,6 +1,6 @@
 // Observations in the address: `product;0 1 0 0;0 0 1 0;0 0 0 1`, one parameter each.
 import type { MatrixLayout, Probe } from "../engine.ts";
-import { layouts, probeKinds } from "../model/probes.ts";
+import { matrixLayoutValues, probeKindValues } from "../values.ts";
 
 const mark = ";";
 
@@ -38,7 +38,7 @@ const layoutPart = (layout: MatrixLayout = "as-written") =>
 /** Nothing for a text that is no observation. */
 export function probeFromText(text: string): Probe | undefined {
   const [kind, first = "", second = "", third = ""] = text.split(mark).map(unescaped);
-  switch (probeKinds.find((name) => name === kind)) {
+  switch (probeKindValues.find((name) => name === kind)) {
     case "components":
       return { probe: "components", quaternion: first, printed: second };
     case "product":
@@ -59,4 +59,4 @@ export function probeFromText(text: string): Probe | undefined {
 }
 
 const layoutFrom = (text: string): MatrixLayout =>
-  layouts.find((layout) => layout === text) ?? "as-written";
+  matrixLayoutValues.find((layout) => layout === text) ?? "as-written";

@@ -3,37 +3,37 @@ import type {
   Column,
   Components,
   Convention,
+  Describe,
+  Direction,
   Handedness,
   Product,
   ReadReport,
   TranslatedEnd,
 } from "../engine.ts";
-import type { EndMatrix } from "../model/copied.ts";
-import {
-  type Copied,
-  type CopiedQuaternion,
-  directionOfAction,
-  type Rows,
-  reversed,
-} from "../model/copied.ts";
+import { namesOf, otherOrder } from "../model/component_order.ts";
+import { operatorOf } from "../model/conventions.ts";
+import type { Copied, CopiedQuaternion, EndMatrix, Rows } from "../model/copied.ts";
 import { copiedWords as words } from "../words/copy/values.ts";
 
 const letterOf: Record<Handedness, string> = { right: "R", left: "C" };
 const signOf: Record<Handedness, string> = { right: "(.)", left: "(x)" };
-const orderOf = ({ order }: Convention) => (order === "scalar-first" ? "w x y z" : "x y z w");
 
-export function quaternionValue(
+function quaternionValue(
   symbol: string,
   { w, x, y, z, norm }: Components,
   convention: Convention,
+  describe: Describe,
   matrix?: Rows,
 ): CopiedQuaternion {
+  const { hamiltonMatrix, rules } = describe(convention);
   return {
     kind: "quaternion",
     symbol,
     components: { w, x, y, z },
     norm,
     convention,
+    operator: rules.operator,
+    hamiltonMatrix,
     ...(matrix && { matrix }),
   };
 }
@@ -46,63 +46,71 @@ const matrixValue = (symbol: string, rows: Rows, does: string): Copied => ({
 });
 
 /** The values of a column of Read. */
-export function columnValues(column: Column) {
-  const { convention, matrix, inverseMatrix } = column;
+export function columnValues(column: Column, describe: Describe) {
+  const { convention, matrix, inverseMatrix, rules } = column;
   const letter = letterOf[convention.handedness];
-  const acts = directionOfAction(convention);
-  const back = directionOfAction(reversed(convention));
+  const { reversed } = describe(convention);
+  const back = describe(reversed).rules.operator;
+  const order = namesOf[convention.order].join(" ");
+  const value = (symbol: string, components: Components) =>
+    quaternionValue(symbol, components, convention, describe, matrix);
+  const reversedValue = (symbol: string, components: Components) =>
+    quaternionValue(symbol, components, reversed, describe, inverseMatrix);
   return {
-    quaternion: quaternionValue("q", column.quaternion, convention, matrix),
-    unit: quaternionValue("q/|q|", column.unit, convention, matrix),
-    conjugate: quaternionValue("q*", column.conjugate, reversed(convention), inverseMatrix),
-    inverse:
-      column.inverse &&
-      quaternionValue("q^-1", column.inverse, reversed(convention), inverseMatrix),
-    matrix: matrixValue(`${letter}(q)`, matrix, words.direction[acts]),
+    quaternion: value("q", column.quaternion),
+    unit: value("q/|q|", column.unit),
+    conjugate: reversedValue("q*", column.conjugate),
+    inverse: column.inverse && reversedValue("q^-1", column.inverse),
+    matrix: matrixValue(`${letter}(q)`, matrix, words.direction[rules.operator]),
     inverseMatrix: matrixValue(`${letter}(q)^T`, inverseMatrix, words.direction[back]),
-    image: imageValue(`${letter}(q) x`, column.image, convention),
-    left: matrixValue("L", column.leftProductMatrix, words.leftProduct(orderOf(convention))),
-    right: matrixValue("R", column.rightProductMatrix, words.rightProduct(orderOf(convention))),
+    image: imageValue(`${letter}(q) x`, column.image, rules.operator),
+    left: matrixValue("L", column.leftProductMatrix, words.leftProduct(order)),
+    right: matrixValue("R", column.rightProductMatrix, words.rightProduct(order)),
   };
 }
 
 function imageValue(
   symbol: string,
   numbers: readonly number[] | undefined,
-  convention: Convention,
+  operator: Direction,
 ): Copied | undefined {
-  const on = words.coordinates[directionOfAction(convention)];
-  return numbers && { kind: "vector", symbol, numbers, on };
+  return numbers && { kind: "vector", symbol, numbers, on: words.coordinates[operator] };
 }
 
 /** The values of the card of a convention that is neither preset. */
-export function declaredValues({ declared, paired }: Pick<ReadReport, "declared" | "paired">) {
-  const { convention, quaternion, matrix, image } = declared;
+export function declaredValues(
+  { declared, paired }: Pick<ReadReport, "declared" | "paired">,
+  describe: Describe,
+) {
+  const { convention, quaternion, matrix, image, rules } = declared;
   const symbol = `${letterOf[convention.handedness]}(q)`;
   return {
-    quaternion: quaternionValue("q", quaternion, convention, matrix),
-    matrix: matrixValue(symbol, matrix, words.direction[directionOfAction(convention)]),
-    image: imageValue(`${symbol} x`, image, convention),
+    quaternion: quaternionValue("q", quaternion, convention, describe, matrix),
+    matrix: matrixValue(symbol, matrix, words.direction[rules.operator]),
+    image: imageValue(`${symbol} x`, image, rules.operator),
     paired: matrixValue(
       `${paired.form}(q)`,
       paired.rows,
-      words.direction[directionOfAction(paired.convention)],
+      words.direction[operatorOf(paired.convention)],
     ),
   };
 }
 
 /** The values of a product. */
-export function productValues({ convention, left, right, quaternion, matrix, frames }: Product) {
+export function productValues(
+  { convention, left, right, quaternion, matrix, frames }: Product,
+  describe: Describe,
+) {
   const symbol = `${left} ${signOf[convention.handedness]} ${right}`;
   const does = words.frames(frames[0], frames[2]);
   return {
-    quaternion: quaternionValue(symbol, quaternion, convention, matrix),
+    quaternion: quaternionValue(symbol, quaternion, convention, describe, matrix),
     matrix: matrixValue(`${letterOf[convention.handedness]}(${symbol})`, matrix, does),
   };
 }
 
 /** The values that no convention changes. */
-export function turnValues({ turn, hamilton }: ReadReport) {
+export function turnValues({ turn, hamilton }: ReadReport, describe: Describe) {
   const { axis, angleRad, rotationVectorRad } = turn;
   const { w, x, y, z } = hamilton.quaternion;
   const opposite = { w: 0 - w, x: 0 - x, y: 0 - y, z: 0 - z };
@@ -113,7 +121,7 @@ export function turnValues({ turn, hamilton }: ReadReport) {
       vectorRad: rotationVectorRad,
     } satisfies Copied,
     opposite: {
-      ...quaternionValue("-q", hamilton.quaternion, hamilton.convention, hamilton.matrix),
+      ...quaternionValue("-q", hamilton.quaternion, hamilton.convention, describe, hamilton.matrix),
       components: opposite,
     },
   };
@@ -123,8 +131,11 @@ export function eulerValue({ sequence, anglesRad }: ReadReport["euler"]): Copied
   return { kind: "euler", sequence, anglesRad };
 }
 
-export function endQuaternion({ components, convention }: TranslatedEnd): CopiedQuaternion {
-  return quaternionValue("q", components, convention);
+export function endQuaternion(
+  { components, convention }: TranslatedEnd,
+  describe: Describe,
+): CopiedQuaternion {
+  return quaternionValue("q", components, convention, describe);
 }
 
 /** The values of an end of a translation. */
@@ -132,10 +143,11 @@ export function endValues(
   name: string,
   { components, convention, matrix }: TranslatedEnd,
   of: EndMatrix,
+  describe: Describe,
 ) {
-  const other = convention.order === "scalar-first" ? "scalar-last" : "scalar-first";
+  const reordered = { ...convention, order: otherOrder[convention.order] };
   return {
-    reordered: quaternionValue("q", components, { ...convention, order: other }),
+    reordered: quaternionValue("q", components, reordered, describe),
     matrix: matrix && matrixValue("M", matrix.rows, words.endMatrix[of](name, matrix)),
   };
 }

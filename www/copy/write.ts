@@ -1,5 +1,5 @@
 // A value as code: its comment and its lines. Loaded when a copy first needs it.
-import { type Copied, directionOfR } from "../model/copied.ts";
+import type { Copied } from "../model/copied.ts";
 import type { CodeFormat } from "../model/copy_formats.ts";
 import { says } from "../words/copy/comments.ts";
 import { eigen } from "./writers/cpp.ts";
@@ -31,7 +31,7 @@ export function written(value: Copied, format: CodeFormat, origin: Origin): stri
   if (format === "json") return json(value);
   if (format === "test-vector") return testVector(value, origin);
   const { comment } = writers[format];
-  const comments = says(value, format, directionOfR).map((line) => `${comment} ${line}`);
+  const comments = says(value, format).map((line) => `${comment} ${line}`);
   return [...comments, ...linesOf(value, format)].join("\n");
 }
 

@@ -4,12 +4,19 @@ import type {
   ComponentOrder,
   ComponentSign,
   CosineMatrix,
-  Family,
   Handedness,
   IncrementSign,
   Perturbation,
   Remaining,
 } from "../engine.ts";
+import {
+  componentOrderValues,
+  componentSignValues,
+  cosineMatrixValues,
+  handednessValues,
+  incrementSignValues,
+  perturbationValues,
+} from "../values.ts";
 import type { Preset } from "./page_state.ts";
 
 /** The values of each choice. */
@@ -34,14 +41,14 @@ export const choicesOfUse: readonly BehaviourAxis[] = ["attitude", "perturbation
 export const valuesOf: {
   [Choice in BehaviourAxis]: readonly [ChoiceValues[Choice], ChoiceValues[Choice]];
 } = {
-  constructor: ["scalar-first", "scalar-last"],
-  array: ["scalar-first", "scalar-last"],
-  handedness: ["right", "left"],
-  rotate: ["R", "C"],
-  matrix: ["R", "C"],
-  attitude: ["canonical", "conjugated"],
-  perturbation: ["local", "global"],
-  incrementSign: ["physical", "formal"],
+  constructor: componentOrderValues,
+  array: componentOrderValues,
+  handedness: handednessValues,
+  rotate: cosineMatrixValues,
+  matrix: cosineMatrixValues,
+  attitude: componentSignValues,
+  perturbation: perturbationValues,
+  incrementSign: incrementSignValues,
 };
 
 /** The convention that has a value as its own. */
@@ -56,11 +63,4 @@ export const presetOfValue: Readonly<Record<string, Preset | undefined>> = {
 export function settledValue(remaining: Remaining, choice: BehaviourAxis): string | undefined {
   const values: readonly string[] = remaining[choice];
   return values.length === 1 ? values[0] : undefined;
-}
-
-/** What product and rotation make together, once both are settled. */
-export function settledFamily({ handedness, rotate }: Remaining): Family | undefined {
-  if (handedness.length !== 1 || rotate.length !== 1) return undefined;
-  if (handedness[0] === "right") return rotate[0] === "R" ? "hamilton" : "transposed-matrix";
-  return rotate[0] === "C" ? "shuster" : "reversed-product";
 }

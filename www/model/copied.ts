@@ -1,25 +1,23 @@
 // A value that can be copied as code: what it is and what it means, not how it is shown.
-import type { Convention, Direction, EulerSequence, MatrixConvention } from "../engine.ts";
+import type { Convention, Direction, EulerSequence } from "../engine.ts";
+import type { ComponentName } from "./component_order.ts";
 
 type Numbers = readonly number[];
 export type Rows = readonly Numbers[];
-
-export interface NamedNumbers {
-  w: number;
-  x: number;
-  y: number;
-  z: number;
-}
 
 export interface CopiedQuaternion {
   kind: "quaternion";
   /** What stands for it in a formula, in ASCII: `q`, `q*`, `p (.) q`. */
   symbol: string;
-  components: NamedNumbers;
+  components: Record<ComponentName, number>;
   /** Of the components, by the core; undefined where a double cannot hold it. */
   norm: number | undefined;
   /** What these four numbers mean. */
   convention: Convention;
+  /** From which coordinates to which it takes a vector when it acts in its convention. */
+  operator: Direction;
+  /** The direction of R(q), the matrix that a library with the product ij = k makes of the numbers. */
+  hamiltonMatrix: Direction;
   /** The matrix that it acts with on coordinates in its own convention. */
   matrix?: Rows;
 }
@@ -69,27 +67,3 @@ export type Kind = Copied["kind"];
 
 /** What the matrix of an end is: the one that the end prints of these numbers, or that of q/|q|. */
 export type EndMatrix = "as-printed" | "of-unit";
-
-const opposite: Record<Direction, Direction> = {
-  "body-to-world": "world-to-body",
-  "world-to-body": "body-to-world",
-};
-
-/** The convention in which the conjugate of a quaternion is the same attitude. */
-export function reversed(convention: Convention): Convention {
-  return { ...convention, direction: opposite[convention.direction] };
-}
-
-/** From which coordinates to which a quaternion takes a vector when it acts in its convention. */
-export function directionOfAction({ function: does, direction }: MatrixConvention): Direction {
-  return does === "passive" ? direction : opposite[direction];
-}
-
-/**
- * The direction of R(q), the matrix that a library with the product ij = k makes of the numbers.
- * Where the convention has ij = -k, it acts by C(q), the transpose.
- */
-export function directionOfR(convention: Convention): Direction {
-  const acts = directionOfAction(convention);
-  return convention.handedness === "right" ? acts : opposite[acts];
-}

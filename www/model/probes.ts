@@ -1,25 +1,8 @@
 // The probes of the Identify view, and observations as texts by name.
-import type { Field, MatrixLayout, Probe, ProbeKind } from "../engine.ts";
+import type { Field, Probe, ProbeKind } from "../engine.ts";
 
 /** More observations than this are not read. */
 export const mostObservations = 16;
-
-export const probeKinds = [
-  "components",
-  "product",
-  "rotate",
-  "matrix",
-  "from-matrix",
-  "quarter-turn",
-  "perturb",
-] as const satisfies readonly ProbeKind[];
-
-export const layouts = [
-  "as-written",
-  "rows",
-  "columns",
-  "unknown",
-] as const satisfies readonly MatrixLayout[];
 
 /** The order in which they are offered. */
 export const kinds = [

@@ -1,10 +1,8 @@
 // A number of the result that was edited, as a text of the whole attitude that the core reads; pure.
-import type { ComponentOrder, Direction, EulerSequence, Span } from "../engine.ts";
+import type { AngleUnit, ComponentOrder, Direction, EulerSequence, Span } from "../engine.ts";
+import { type ComponentName, namesOf } from "../model/component_order.ts";
 import { sequenceName } from "../model/euler_sequence.ts";
 import type { PageState } from "../model/page_state.ts";
-
-export type AngleUnit = "degrees" | "radians";
-export type ComponentName = "w" | "x" | "y" | "z";
 
 /** What a group of numbers describes the attitude by. */
 export type Description =
@@ -85,11 +83,6 @@ export function editedState(description: Description, text: string): Partial<Pag
     matrix: { function: "passive", direction: description.direction },
   };
 }
-
-export const namesOf: Record<ComponentOrder, readonly ComponentName[]> = {
-  "scalar-first": ["w", "x", "y", "z"],
-  "scalar-last": ["x", "y", "z", "w"],
-};
 
 type Piece = string | { place: number; text: string };
 

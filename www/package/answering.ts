@@ -23,15 +23,15 @@ export class CoreStopped extends Error {
 }
 
 /**
- * The answer of a core to a request. It throws a `TypeError`, or what the request itself threw, where the
- * core refuses the request, and a `CoreStopped` after a trap.
+ * The value of a call of a core, which is made anew before the next one after a trap. A call throws only
+ * where it trapped, and that as a `CoreStopped`.
  */
-export function answering(core: Core): (request: unknown, view?: Request["view"]) => Outcome {
+export function calling(core: Core): <Value>(call: () => Value) => Value {
   /** Calls under way: a getter of a request may ask something itself. */
   let depth = 0;
   let stopped: CoreStopped | undefined;
 
-  const ask = (request: unknown, view?: Request["view"]) => {
+  return (call) => {
     if (stopped !== undefined) {
       // Made anew under a call that is still under way, that one would go on with foreign memory.
       if (depth > 0) throw stopped;
@@ -40,7 +40,7 @@ export function answering(core: Core): (request: unknown, view?: Request["view"]
     }
     depth += 1;
     try {
-      return core.analyze(request, view);
+      return call();
     } catch (error) {
       // Here the stack may be full: what needs more of it waits for the next call.
       stopped = new CoreStopped(panicMessage(core) ?? String(error), error);
@@ -49,8 +49,18 @@ export function answering(core: Core): (request: unknown, view?: Request["view"]
       depth -= 1;
     }
   };
+}
+
+/**
+ * The answer of a core to a request. It throws a `TypeError`, or what the request itself threw, where the
+ * core refuses the request, and a `CoreStopped` after a trap.
+ */
+export function answering(
+  core: Core,
+  call = calling(core),
+): (request: unknown, view?: Request["view"]) => Outcome {
   return (request, view) => {
-    const answer = ask(request, view);
+    const answer = call(() => core.analyze(request, view));
     if (answer.status === "refused") throw answer.error;
     return answer;
   };

@@ -2,10 +2,10 @@
 import { useId, useMemo, useRef } from "preact/hooks";
 import { hold } from "../dom/hold.ts";
 import type { ReadReport } from "../engine.ts";
-import { presetOf } from "../model/conventions.ts";
+import { declaredConvention, presetOf } from "../model/conventions.ts";
 import type { PictureState, Reading } from "../model/picture_state.ts";
 import { shownArray, shownAxis, shownRoughAngle } from "../number/format.ts";
-import { declaredConvention, type Freshness, type Store } from "../state/store.ts";
+import type { Freshness, Store } from "../state/store.ts";
 import { arrowOf, wordsOf } from "../words/conventions.ts";
 import {
   activeWords,
@@ -74,7 +74,7 @@ function Shown({
     const isInverse = reading === "active" && report.rules.operator === "world-to-body";
     const seen = isInverse ? inverse : same;
     const pose = seen(ofNormOne(composed(turn, seen(last ?? report.hamilton.unit))));
-    const convention = declaredConvention(state, store.engine);
+    const convention = declaredConvention(state);
     const text = poseAsText(pose, convention, report.rules, state.digits);
     written.current = { pose, text };
     hold();

@@ -1,12 +1,8 @@
 // A turned pose as text for the field, in the declared convention; pure.
 import type { Convention, Rules } from "../engine.ts";
+import { namesOf } from "../model/component_order.ts";
 import type { Digits } from "../model/page_state.ts";
 import type { Quaternion } from "./space.ts";
-
-const orders = {
-  "scalar-first": ["w", "x", "y", "z"],
-  "scalar-last": ["x", "y", "z", "w"],
-} as const;
 
 /**
  * `w=0.9239 x=0 y=0 z=0.3827`: the components that the convention gives to a pose, with the
@@ -20,7 +16,7 @@ export function poseAsText(
 ): string {
   const sign = isCanonical ? 1 : -1;
   const components = { w: pose.w, x: sign * pose.x, y: sign * pose.y, z: sign * pose.z };
-  return orders[order].map((name) => `${name}=${rounded(components[name], digits)}`).join(" ");
+  return namesOf[order].map((name) => `${name}=${rounded(components[name], digits)}`).join(" ");
 }
 
 function rounded(number: number, digits: Digits): string {

@@ -1,7 +1,8 @@
 // The one mutable value of the page, and what follows from it.
 import { batch, computed, signal } from "@preact/signals";
 import { fromFragment, isOfNewerVersion, withKnownLibraries } from "../address/fragment.ts";
-import type { Convention, Engine, Field, Outcome, Problem, Request } from "../engine.ts";
+import type { Engine, Field, Outcome, Problem, Request } from "../engine.ts";
+import { declaredConvention } from "../model/conventions.ts";
 import { opening, type PageState } from "../model/page_state.ts";
 import { endAnnouncement } from "./announcement.ts";
 import {
@@ -72,7 +73,7 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     computed(() => to(history.value, state.value.view) !== undefined);
 
   // As text, so that what asks nothing of the core, such as the look of the picture, runs nothing.
-  const asked = computed(() => JSON.stringify(requestOf(state.value, engine.value)));
+  const asked = computed(() => JSON.stringify(requestOf(state.value)));
   const outcome = computed(() => {
     asked.value;
     return answer(state.peek(), engine.value);
@@ -152,13 +153,13 @@ type Answer = ReturnType<Engine["analyze"]> | undefined;
 
 /** What the core answers to a state; nothing where its view asks nothing, or more than this core knows. */
 function answer(state: PageState, engine: Engine): Answer {
-  const request = requestOf(state, engine);
+  const request = requestOf(state);
   return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
 }
 
-function requestOf(state: PageState, engine: Engine): Request | undefined {
+function requestOf(state: PageState): Request | undefined {
   const { view, quaternion, p, q, vector, matrix, euler } = state;
-  const convention = declaredConvention(state, engine);
+  const convention = declaredConvention(state);
   switch (view) {
     case "read":
       return { view, quaternion, vector, convention, matrix, euler };
@@ -181,11 +182,6 @@ function requestOf(state: PageState, engine: Engine): Request | undefined {
     case "libraries":
       return undefined;
   }
-}
-
-/** What four typed numbers are declared to mean. */
-export function declaredConvention(state: PageState, engine: Engine): Convention {
-  return { ...engine[state.preset], ...state.axes };
 }
 
 type Good = Extract<Outcome, { status: "read" | "compose" | "translate" | "identify" }>;

@@ -3,6 +3,7 @@ import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { ask, exists, root, runQuietly, Stop, say } from "./shell.mjs";
+import { areValuesWritten, writeValues } from "./values.mjs";
 
 const OLDEST_NODE = 20;
 const OLDEST_RUST = [1, 89];
@@ -163,25 +164,29 @@ function findBrowser({ names, paths }) {
   return names.map((name) => ask("which", name)).find(Boolean);
 }
 
-/** Builds both cores with wasm-pack, unless nothing they are made of has changed. */
+/** Builds both cores and what the page knows of them, unless nothing they are made of has changed. */
 export async function buildCore() {
   const inputs =
     ask("git", "ls-files", "-co", "--exclude-standard", "src")?.split("\n").sort() ?? [];
   const hash = createHash("sha256");
-  const itself = join("www", "tasks", "setup.mjs");
-  for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", itself, ...inputs]) {
+  const tasks = ["setup.mjs", "values.mjs"].map((file) => join("www", "tasks", file));
+  for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", ...tasks, ...inputs]) {
     if (exists(file)) hash.update(file).update(readFileSync(join(root, file)));
   }
   const fingerprint = hash.digest("hex");
   const stamp = join(root, "pkg", ".fingerprint");
-  const isCurrent = inputs.length > 0 && existsSync(stamp);
-  if (isCurrent && readFileSync(stamp, "utf8") === fingerprint) return;
+  const isBuilt = inputs.length > 0 && existsSync(stamp);
+  if (isBuilt && readFileSync(stamp, "utf8") === fingerprint) {
+    if (!areValuesWritten()) await writeValues();
+    return;
+  }
   say(
     "building the core with wasm-pack (the first time it may build wasm-bindgen too: some minutes; later seconds)",
   );
   const small = join("pkg", "small");
   await buildWasm(small, "--out-name", "quatlas_small", "--", "--no-default-features");
   await buildWasm("pkg", "--out-name", "quatlas");
+  await writeValues();
   writeFileSync(stamp, fingerprint);
 }
 

@@ -4,8 +4,9 @@
 // stand in the views.
 //
 // Here: what the texts, the two presets and the five axes are called; the same everywhere.
-import type { ComponentOrder, Convention, Direction, Field } from "../engine.ts";
-import type { Axis, NamedConvention } from "../model/conventions.ts";
+import type { Convention, Direction, Field, NamedConvention } from "../engine.ts";
+import type { Letters } from "../model/component_order.ts";
+import type { Axis } from "../model/conventions.ts";
 
 /** What a text is called in formulas. */
 export const symbolOf: Record<Field, string> = {
@@ -25,7 +26,7 @@ export const symbolOf: Record<Field, string> = {
 };
 
 /** The four numbers in an order. */
-export const lettersOf: Record<ComponentOrder, string> = {
+export const lettersOf: Letters = {
   "scalar-first": "w x y z",
   "scalar-last": "x y z w",
 };

@@ -1,5 +1,6 @@
 // C++ with Eigen.
-import { factors, float, listed, scalarFirst } from "./numbers.ts";
+import { arrayOf } from "../../model/component_order.ts";
+import { factors, float, listed } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const vector = (numbers: readonly number[]) => `Eigen::Vector3d(${listed(numbers, float)})`;
@@ -8,7 +9,7 @@ export const eigen: Writer = {
   comment: "//",
   lines: {
     quaternion: ({ components }) => [
-      `Eigen::Quaterniond q(${listed(scalarFirst(components), float)});`,
+      `Eigen::Quaterniond q(${listed(arrayOf(components, "scalar-first"), float)});`,
     ],
     matrix: ({ rows }) => {
       const [first = "", ...rest] = rows.map((row) => listed(row, float));

@@ -1,6 +1,7 @@
 // JavaScript as plain arrays, and with three.js.
+import { arrayOf } from "../../model/component_order.ts";
 import type { CopiedEuler, Rows } from "../../model/copied.ts";
-import { listed, ordered, plain, scalarLast } from "./numbers.ts";
+import { listed, ordered, plain } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const list = (numbers: readonly number[]) => `[${listed(numbers, plain)}]`;
@@ -31,7 +32,7 @@ export const three: Writer = {
   comment: "//",
   lines: {
     quaternion: ({ components }) => [
-      `const q = new THREE.Quaternion(${listed(scalarLast(components), plain)});`,
+      `const q = new THREE.Quaternion(${listed(arrayOf(components, "scalar-last"), plain)});`,
     ],
     // set() takes rows, although three.js keeps its matrices column by column.
     matrix: ({ rows }) => [

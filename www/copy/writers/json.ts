@@ -1,10 +1,6 @@
 // JSON: the numbers alone, or a test vector that says of itself what another program needs.
-import {
-  type Copied,
-  type CopiedQuaternion,
-  directionOfAction,
-  directionOfR,
-} from "../../model/copied.ts";
+import { namesOf } from "../../model/component_order.ts";
+import type { Copied, CopiedQuaternion } from "../../model/copied.ts";
 import { isNormOne } from "../../number/format.ts";
 import {
   directionWords,
@@ -26,15 +22,15 @@ export interface Origin {
 
 /** The numbers by name, on one line. */
 export function json(value: Copied): string {
-  const comment = says(value, "json", directionOfR).join("; ");
+  const comment = says(value, "json").join("; ");
   return JSON.stringify({ comment, ...numbersOf(value) }, null, 1).replace(/\n\s*/g, " ");
 }
 
 function numbersOf(value: Copied): object {
   switch (value.kind) {
     case "quaternion": {
-      const { w, x, y, z } = value.components;
-      return value.convention.order === "scalar-first" ? { w, x, y, z } : { x, y, z, w };
+      const { components, convention } = value;
+      return Object.fromEntries(namesOf[convention.order].map((name) => [name, components[name]]));
     }
     case "matrix":
       return { rows: value.rows };
@@ -65,7 +61,7 @@ export function testVector(value: Copied, origin: Origin): string {
     testVector: testVectorVersion,
     quatlas: version,
     kind: value.kind,
-    is: says(value, "test-vector", directionOfR).join("; "),
+    is: says(value, "test-vector").join("; "),
     ...(value.kind === "quaternion" ? quaternionVector(value) : { numbers: numbersOf(value) }),
     ...from,
   };
@@ -77,10 +73,9 @@ export function testVector(value: Copied, origin: Origin): string {
 }
 
 function quaternionVector(value: CopiedQuaternion) {
-  const { convention, matrix, norm } = value;
+  const { convention, operator, matrix, norm } = value;
   // The matrix is that of q/|q|, whatever the norm.
   const q = isNormOne(norm) ? "q" : "q/|q|";
-  const acts = directionOfAction(convention);
   return {
     convention: { ...convention, product: productWords[convention.handedness] },
     numbers: numbersOf(value),
@@ -89,8 +84,8 @@ function quaternionVector(value: CopiedQuaternion) {
       expected: {
         matrix,
         form: convention.handedness === "right" ? `R(${q})` : `C(${q}) = R(${q})^T`,
-        direction: directionWords[acts],
-        takes: takesWords[acts],
+        direction: directionWords[operator],
+        takes: takesWords[operator],
       },
     }),
   };

@@ -1,5 +1,6 @@
 // MATLAB, with its toolboxes for quaternions.
-import { factors, listed, plain, scalarFirst, unitOf } from "./numbers.ts";
+import { arrayOf } from "../../model/component_order.ts";
+import { factors, listed, plain, unitOf } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const spaced = (numbers: readonly number[]) => listed(numbers, plain, " ");
@@ -8,7 +9,7 @@ export const matlab: Writer = {
   comment: "%",
   lines: {
     quaternion: ({ components }) => [
-      `q_wxyz = quaternion(${listed(scalarFirst(components), plain)});`,
+      `q_wxyz = quaternion(${listed(arrayOf(components, "scalar-first"), plain)});`,
     ],
     matrix: ({ rows }) => [`M = [${rows.map(spaced).join("; ")}];`],
     vector: ({ numbers }) => [`v = [${listed(numbers, plain, "; ")}];`],

@@ -1,5 +1,6 @@
 // Numbers in code: the shortest text that reads back as the same double, and never -0.
-import type { CopiedQuaternion, NamedNumbers } from "../../model/copied.ts";
+import { arrayOf, namesOf } from "../../model/component_order.ts";
+import type { CopiedQuaternion } from "../../model/copied.ts";
 
 /** As JavaScript, MATLAB and JSON write it: whole numbers stay short. */
 export function plain(number: number): string {
@@ -36,13 +37,9 @@ export function ordered({ components, convention }: CopiedQuaternion): {
   name: string;
   numbers: number[];
 } {
-  return convention.order === "scalar-first"
-    ? { name: "q_wxyz", numbers: scalarFirst(components) }
-    : { name: "q_xyzw", numbers: scalarLast(components) };
+  const { order } = convention;
+  return { name: `q_${namesOf[order].join("")}`, numbers: arrayOf(components, order) };
 }
-
-export const scalarFirst = ({ w, x, y, z }: NamedNumbers) => [w, x, y, z];
-export const scalarLast = ({ w, x, y, z }: NamedNumbers) => [x, y, z, w];
 
 /** The turns of a sequence in the order of the factors: the one that acts last stands first. */
 export function factors<Angle>(

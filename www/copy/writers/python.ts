@@ -1,7 +1,8 @@
 // Python with SciPy's Rotation, and with NumPy alone.
+import { arrayOf } from "../../model/component_order.ts";
 import type { Rows } from "../../model/copied.ts";
 import { sequenceLetters } from "../../words/copy/comments.ts";
-import { float, listed, ordered, scalarLast } from "./numbers.ts";
+import { float, listed, ordered } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const list = (numbers: readonly number[]) => `[${listed(numbers, float)}]`;
@@ -10,7 +11,9 @@ const nested = (rows: Rows, indent: string) => `[${rows.map(list).join(`,\n${ind
 export const scipy: Writer = {
   comment: "#",
   lines: {
-    quaternion: ({ components }) => [`q = Rotation.from_quat(${list(scalarLast(components))})`],
+    quaternion: ({ components }) => [
+      `q = Rotation.from_quat(${list(arrayOf(components, "scalar-last"))})`,
+    ],
     matrix: ({ rows }) => [`r = Rotation.from_matrix(${nested(rows, " ".repeat(26))})`],
     "axis-angle": ({ axis, angleRad }) => [
       `r = Rotation.from_rotvec(${float(angleRad)} * np.array(${list(axis)}))`,

@@ -1,6 +1,7 @@
 // Rust with nalgebra.
+import { arrayOf } from "../../model/component_order.ts";
 import { isNormOne } from "../../number/format.ts";
-import { factors, float, listed, scalarFirst } from "./numbers.ts";
+import { factors, float, listed } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
 const vector = (numbers: readonly number[]) => `Vector3::new(${listed(numbers, float)})`;
@@ -10,7 +11,7 @@ export const nalgebra: Writer = {
   lines: {
     // A `UnitQuaternion` is of norm 1, and `from_quaternion` would make any other so.
     quaternion: ({ components, norm }) => {
-      const quaternion = `Quaternion::new(${listed(scalarFirst(components), float)})`;
+      const quaternion = `Quaternion::new(${listed(arrayOf(components, "scalar-first"), float)})`;
       return isNormOne(norm)
         ? [`let q = UnitQuaternion::from_quaternion(${quaternion});`]
         : [`let q = ${quaternion};`];

@@ -1,7 +1,7 @@
 // The Compose view: two quaternions, both products, both orders.
 import { productValues } from "../../copy/values.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../../engine.ts";
-import { presetLike, presetOf } from "../../model/conventions.ts";
+import { presetOf } from "../../model/conventions.ts";
 import type { Digits } from "../../model/page_state.ts";
 import { shownArray } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
@@ -97,8 +97,8 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
             <span class="tie-words">{words.tie}</span>
           </h2>
           <div class="columns">
-            <ProductCard product={hamilton} digits={digits} />
-            <ProductCard product={jpl} digits={digits} />
+            <ProductCard product={hamilton} engine={store.engine} digits={digits} />
+            <ProductCard product={jpl} engine={store.engine} digits={digits} />
           </div>
         </section>
       ))}
@@ -135,7 +135,7 @@ function Road({
 }) {
   const product = report.declared;
   const [start, middle, end] = framesOf(product);
-  const preset = presetLike(product.convention, engine);
+  const { preset } = engine.describe(product.convention);
   const name = preset ? wordsOf[preset].name : nameOf(product.convention, engine);
   const [afterRight, afterBoth] = product.images ?? [];
   const right = <var>{product.right}</var>;
@@ -151,7 +151,7 @@ function Road({
           name={words.declared(spelled(product))}
           components={product.quaternion}
           convention={product.convention}
-          value={productValues(product).quaternion}
+          value={productValues(product, engine.describe).quaternion}
           digits={digits}
         />
       )}
@@ -193,12 +193,20 @@ function OrderWords({ report }: { report: ComposeReport }) {
   }
 }
 
-function ProductCard({ product, digits }: { product: Product; digits: Digits }) {
+function ProductCard({
+  product,
+  engine,
+  digits,
+}: {
+  product: Product;
+  engine: Engine;
+  digits: Digits;
+}) {
   const preset = presetOf[product.convention.handedness];
   const own = wordsOf[preset];
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
-  const values = productValues(product);
+  const values = productValues(product, engine.describe);
   return (
     <section class={`card column ${preset}`} aria-label={`${own.name}: ${spelled(product)}`}>
       <header>

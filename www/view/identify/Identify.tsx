@@ -2,7 +2,6 @@
 import { useMemo } from "preact/hooks";
 import { toFragment } from "../../address/fragment.ts";
 import type { Probe } from "../../engine.ts";
-import { settledFamily } from "../../model/behaviour.ts";
 import { opening, type PageState } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { left } from "../../words/identify/answer.tsx";
@@ -26,7 +25,7 @@ export function Identify({ store }: { store: Store }) {
   if (answer === undefined) return <p class="left">{words.none}</p>;
   const name = store.state.value.libraryName.trim() || words.unnamed;
   const { shown, age } = answer;
-  const family = settledFamily(shown.remaining);
+  const { family } = shown;
   return (
     <>
       <Ask store={store} />

@@ -1,7 +1,7 @@
 // What follows from the choices, how it relates to Hamilton and JPL, and what numbers cannot tell.
 import type { ComponentChildren } from "preact";
 import type { CosineMatrix, Direction, Handedness, IdentifyReport, Side } from "../../engine.ts";
-import { presetOfValue, settledFamily, settledValue } from "../../model/behaviour.ts";
+import { presetOfValue, settledValue } from "../../model/behaviour.ts";
 import { operatorOf } from "../../model/conventions.ts";
 import { axisWords, wordsOf } from "../../words/conventions.ts";
 import { familySays, sideWords } from "../../words/identify/choices.ts";
@@ -26,8 +26,8 @@ export function Meaning({ report, name }: { report: IdentifyReport; name: string
 
 /** The library between Hamilton and JPL, side by side. */
 function Relatives({ report, name }: { report: IdentifyReport; name: string }) {
+  const { family } = report;
   const { handedness, rotate, firstToAct } = report.remaining;
-  const family = settledFamily(report.remaining);
   const products = (value: Handedness) => <Value value={value} />;
   const rotations = (value: CosineMatrix) => <Value value={value} />;
   const rows: { name: string; cells: ComponentChildren[] }[] = [

@@ -1,7 +1,8 @@
 // One observation: what to run, what went in, what was printed, and what that tells.
 import type { ComponentChildren } from "preact";
 import type { ObservationReport, Probe, Problem } from "../../engine.ts";
-import { fieldOf, inputsOf, layouts, type TextName, textOf, withText } from "../../model/probes.ts";
+import { fieldOf, inputsOf, type TextName, textOf, withText } from "../../model/probes.ts";
+import { matrixLayoutValues } from "../../values.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import { layoutNames, probeWords } from "../../words/identify/choices.ts";
 import * as words from "../../words/identify/observation.tsx";
@@ -165,11 +166,11 @@ function Layout({
       <select
         value={probe.layout ?? "as-written"}
         onChange={(event) => {
-          const layout = layouts.find((name) => name === event.currentTarget.value);
+          const layout = matrixLayoutValues.find((name) => name === event.currentTarget.value);
           if (layout) onChange({ ...probe, layout });
         }}
       >
-        {layouts.map((layout) => (
+        {matrixLayoutValues.map((layout) => (
           <option key={layout} value={layout}>
             {layoutNames[layout]}
           </option>

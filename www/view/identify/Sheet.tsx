@@ -7,7 +7,6 @@ import { probeWords } from "../../words/identify/choices.ts";
 import * as words from "../../words/identify/sheet.tsx";
 import type { Answer } from "./kept_answer.ts";
 import { Observation, printedId } from "./Observation.tsx";
-import { standardProbe } from "./standard_probe.ts";
 import "../parts/result.css";
 import "./sheet.css";
 
@@ -164,15 +163,17 @@ function Unavailable({ store }: { store: Store }) {
 
 /** Any probe, in any order. */
 function Add({ store }: { store: Store }) {
-  const { observations, language } = store.state.value;
+  const { observations } = store.state.value;
+  const standardOf = (kind: ProbeKind) =>
+    store.engine.standardProbes.find(({ probe }) => probe === kind);
   const add = (kind: ProbeKind) => {
-    const standard = standardProbe(store.engine, kind, language)?.probe;
+    const standard = standardOf(kind);
     if (standard === undefined) return;
     store.set({ observations: [...observations, standard] });
     focusSoon(printedId(observations.length));
   };
   const isTried = (kind: ProbeKind) => {
-    const standard = standardProbe(store.engine, kind, language)?.probe;
+    const standard = standardOf(kind);
     return standard !== undefined && observations.some((probe) => isSameProbe(probe, standard));
   };
   return (

@@ -19,7 +19,7 @@ import "../parts/ask.css";
 import "../parts/result.css";
 import "./libraries.css";
 
-const { columns } = words;
+const columns = words.columns;
 
 export function Libraries({ store }: { store: Store }) {
   const { find, library: opened } = store.state.value;
@@ -141,7 +141,7 @@ function GroupRows({
 }
 
 function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; store: Store }) {
-  const { family, first } = establishedOf(store.engine.endOf(library.id));
+  const { family, first } = establishedOf(store.engine.describeLibrary(library.id));
   const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
   const { arrayOrder, handedness, matrix, vectors } = library;
   const constructed = library.constructorOrder && lettersOf[library.constructorOrder];

@@ -25,7 +25,7 @@ import { EvidenceOf } from "./Evidence.tsx";
 import "./record.css";
 
 export function LibraryRecord({ library, store }: { library: Library; store: Store }) {
-  const { family, action } = establishedOf(store.engine.endOf(library.id));
+  const { family, action } = establishedOf(store.engine.describeLibrary(library.id));
   const linkTo = (change: Partial<PageState>) =>
     `#${toFragment({ ...store.state.value, ...change })}`;
   const end: Endpoint = { kind: "library", id: library.id };

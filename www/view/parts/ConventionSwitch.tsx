@@ -1,6 +1,7 @@
 // Declares how the text is meant: as a preset, or as the convention that is chosen beyond both.
+import { declaredConvention } from "../../model/conventions.ts";
 import type { Preset } from "../../model/page_state.ts";
-import { declaredConvention, type Store } from "../../state/store.ts";
+import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.ts";
 import { fiveWords, nameOf } from "./convention_names.ts";
@@ -11,7 +12,7 @@ const presets: Preset[] = ["hamilton", "jpl"];
 /** Declares how the text is meant. */
 export function ConventionSwitch({ store }: { store: Store }) {
   const state = store.state.value;
-  const convention = declaredConvention(state, store.engine);
+  const convention = declaredConvention(state);
   const isPreset = Object.keys(state.axes).length === 0;
   const chosen = isPreset ? state.preset : undefined;
   return (

@@ -4,12 +4,12 @@ import {
   type Axis,
   axes,
   declarationOf,
+  declaredConvention,
   differing,
-  namedConventions,
-  namedOf,
   operatorOf,
 } from "../../model/conventions.ts";
-import { declaredConvention, type Store } from "../../state/store.ts";
+import type { Store } from "../../state/store.ts";
+import { namedConventions, namedConventionValues } from "../../values.ts";
 import { conventionNames } from "../../words/conventions.ts";
 import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
@@ -19,11 +19,11 @@ import "./more_axes.css";
 
 export function MoreAxes({ store }: { store: Store }) {
   const state = store.state.value;
-  const convention = declaredConvention(state, store.engine);
-  const base = store.engine[state.preset];
+  const convention = declaredConvention(state);
+  const base = namedConventions[state.preset];
   const setAxis = (axis: Axis, value: string) =>
     store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
-  const namedNow = namedOf(convention, store.engine);
+  const { named } = store.engine.describe(convention);
   const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
   const setMatrix = (axis: keyof MatrixConvention, value: string) =>
     store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
@@ -37,13 +37,13 @@ export function MoreAxes({ store }: { store: Store }) {
         <div class="named-conventions">
           <span id="named-conventions">{words.named}</span>
           <ul aria-labelledby="named-conventions">
-            {namedConventions.map((name) => (
+            {namedConventionValues.map((name) => (
               <li key={name}>
                 <button
                   type="button"
                   class="quiet"
-                  aria-pressed={name === namedNow}
-                  onClick={() => store.set(declarationOf(name, store.engine))}
+                  aria-pressed={name === named}
+                  onClick={() => store.set(declarationOf(name))}
                 >
                   {conventionNames[name]}
                 </button>

@@ -1,9 +1,9 @@
 // Numbers on the page: components by name, matrices with brackets, rows.
 import type { ComponentChildren } from "preact";
 import type { Components, Convention } from "../../engine.ts";
+import { type ComponentName, namesOf } from "../../model/component_order.ts";
 import type { Copied } from "../../model/copied.ts";
 import type { Digits } from "../../model/page_state.ts";
-import { type ComponentName, namesOf } from "../../number/edited_text.ts";
 import {
   alignedAll,
   alignedRows,

@@ -1,6 +1,6 @@
 // What a convention is called, by its name or in its five words.
 import type { Convention, Engine } from "../../engine.ts";
-import { type Axis, axes, namedOf } from "../../model/conventions.ts";
+import { type Axis, axes } from "../../model/conventions.ts";
 import { axisWords, conventionNames } from "../../words/conventions.ts";
 
 /** The word of a value, and what it does. */
@@ -16,6 +16,6 @@ export function fiveWords(convention: Convention): string {
 
 /** The name of a convention that has one. */
 export function nameOf(convention: Convention, engine: Engine): string | undefined {
-  const named = namedOf(convention, engine);
+  const { named } = engine.describe(convention);
   return named && conventionNames[named];
 }

@@ -6,7 +6,7 @@ import type {
   Family,
   Group,
   Library,
-  TranslatedEnd,
+  LibraryDescription,
 } from "../../engine.ts";
 import { lettersOf } from "../../words/conventions.ts";
 import {
@@ -43,18 +43,15 @@ export function ordersOf(library: Library): ComponentOrder[] {
 }
 
 /** What is established of the way a library acts; nothing that the core assumed. */
-export function establishedOf(end: TranslatedEnd | undefined) {
-  const acts = end !== undefined && !end.assumed.includes("action");
-  return {
-    action: acts ? end.action : undefined,
-    family: acts ? end.family : undefined,
-    first: acts ? end.firstToAct : undefined,
-  };
+export function establishedOf(described: LibraryDescription | undefined) {
+  if (described === undefined || described.assumed.includes("action")) return {};
+  const { action, family, firstToAct } = described;
+  return { action, family, first: firstToAct };
 }
 
 /** `x y z w, Hamilton · 1.17.1, run`. */
 export function aboutLibrary(library: Library, engine: Engine): string {
-  const { family } = establishedOf(engine.endOf(library.id));
+  const { family } = establishedOf(engine.describeLibrary(library.id));
   const orders = ordersOf(library).map((order) => lettersOf[order]);
   const behaviour = [orders.join(" / "), family && familyWords[family][0]].filter(Boolean);
   const known = `${library.version}, ${knownWords[library.known][0]}`;

@@ -1,8 +1,10 @@
 // Numbers of the result that are edited together: a quaternion, a matrix, the angles of a sequence.
 import type { Convention, Direction, Problem, Span } from "../../engine.ts";
-import { type Description, editedState, editedText, namesOf } from "../../number/edited_text.ts";
+import { namesOf } from "../../model/component_order.ts";
+import { declaredConvention } from "../../model/conventions.ts";
+import { type Description, editedState, editedText } from "../../number/edited_text.ts";
 import { exact } from "../../number/format.ts";
-import { declaredConvention, type Store } from "../../state/store.ts";
+import type { Store } from "../../state/store.ts";
 
 /** What a group of fields edits. */
 export interface Edited {
@@ -74,9 +76,6 @@ export function leave({ store, id }: NumberGroup) {
   if (store.problemOf("quaternion") === undefined) store.draft.value = undefined;
 }
 
-/** Asked with a question that is not about the quaternion. */
-const noTurn = "w=1, x=0, y=0, z=0";
-
 /** The four components of a column; of the presets, or of the convention that is declared. */
 export function editedComponents(
   store: Store,
@@ -87,12 +86,17 @@ export function editedComponents(
   return {
     store,
     id,
-    describe: () => ({
-      kind: "components",
-      names: namesOf[order],
-      order: declaredConvention(store.state.peek(), store.engine).order,
-      isConjugate: of === "preset" && isConjugate(store),
-    }),
+    describe: () => {
+      const { engine, state } = store;
+      const declared = declaredConvention(state.peek());
+      return {
+        kind: "components",
+        names: namesOf[order],
+        order: declared.order,
+        // The numbers of the presets are the canonical ones.
+        isConjugate: of === "preset" && !engine.describe(declared).rules.isCanonical,
+      };
+    },
   };
 }
 
@@ -100,27 +104,12 @@ export function editedMatrix(store: Store, id: string, direction: Direction): Ed
   return { store, id, describe: () => ({ kind: "matrix", direction }) };
 }
 
-/** Whether the numbers of the presets are the conjugate of those that are declared. */
-function isConjugate(store: Store): boolean {
-  const state = store.state.peek();
-  const answer = store.engine.analyze({
-    view: "read",
-    quaternion: noTurn,
-    vector: "0 0 0",
-    convention: declaredConvention(state, store.engine),
-  });
-  return answer.status === "read" && !answer.rules.isCanonical;
-}
-
-/** The number that a part says; nothing where it says none. */
-export function numberOf(store: Store, part: string): number | undefined {
+/** The number that a part says, which may have a unit; nothing where it says none. */
+export function numberOf({ engine }: Store, part: string): number | undefined {
   const plain = plainNumber(part);
   if (plain !== undefined) return plain;
-  const answer = store.engine.analyze({
-    view: "read",
-    quaternion: noTurn,
-    vector: `[(${part.replace(/\s*(?:deg|°|rad)\s*$/i, "")}), 0, 0]`,
-    convention: store.engine.hamilton,
-  });
-  return answer.status === "read" ? answer.vector[0] : undefined;
+  // In brackets, as it stands in the text of the whole attitude.
+  const number = engine.readNumber(`(${part.replace(/\s*(?:deg|°|rad)\s*$/i, "")})`);
+  // Adding 0 makes no −0.
+  return number === undefined ? undefined : number + 0;
 }

@@ -1,6 +1,6 @@
 // One attitude in one convention: components, matrices, the image of the vector, the inverse.
 import { columnValues } from "../../copy/values.ts";
-import type { Column, Direction } from "../../engine.ts";
+import type { Column } from "../../engine.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
@@ -27,8 +27,9 @@ export function ConventionColumn({
   digits: Digits;
 }) {
   const words = wordsOf[preset];
+  const { describe } = store.engine;
   const { direction } = column.convention;
-  const values = columnValues(column);
+  const values = columnValues(column, describe);
   const matrix = (
     <>
       <var>{words.matrix}</var>(<var>q</var>)
@@ -78,7 +79,11 @@ export function ConventionColumn({
           rows={column.inverseMatrix}
           value={values.inverseMatrix}
           digits={digits}
-          edited={editedMatrix(store, `${preset}-inverse-matrix`, reversed(direction))}
+          edited={editedMatrix(
+            store,
+            `${preset}-inverse-matrix`,
+            describe(column.convention).reversed.direction,
+          )}
         />
       </div>
       <div class="rows">
@@ -168,8 +173,4 @@ export function ConventionColumn({
       </details>
     </section>
   );
-}
-
-function reversed(direction: Direction): Direction {
-  return direction === "body-to-world" ? "world-to-body" : "body-to-world";
 }

@@ -27,7 +27,7 @@ export function DeclaredCard({
   const { declared, paired, rules } = report;
   const name = nameOf(declared.convention, store.engine);
   const { function: does } = declared.convention;
-  const values = declaredValues(report);
+  const values = declaredValues(report, store.engine.describe);
   const act = (
     <>
       <var>q</var>∘<var>x</var>∘<var>q</var>

@@ -1,10 +1,11 @@
 // The attitude as Euler angles in a sequence of one's choice.
 import { eulerValue } from "../../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../../engine.ts";
-import { eulerAxes, sequenceName } from "../../model/euler_sequence.ts";
+import { sequenceName } from "../../model/euler_sequence.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
 import { exactArray, fromDegrees, inDegrees, shownAngle, shownArray } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
+import { eulerAxesValues } from "../../values.ts";
 import { gimbalLockWords, nearLockWords } from "../../words/parts/notes.tsx";
 import { fieldWords } from "../../words/parts/number_field.ts";
 import * as words from "../../words/read/facts.ts";
@@ -61,7 +62,7 @@ export function EulerFact({
             store.set({ euler: { ...chosen, axes: event.currentTarget.value as EulerAxes } })
           }
         >
-          {eulerAxes.map((axes) => (
+          {eulerAxesValues.map((axes) => (
             <option key={axes} value={axes}>
               {axes.split("").join("-")}
             </option>

@@ -32,7 +32,7 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
     { store, id: "rotation-vector", describe: () => ({ kind: "rotation-vector" }) },
     rotationVectorRad,
   );
-  const values = turnValues(report);
+  const values = turnValues(report, store.engine.describe);
   const tangents = [
     { ...words.gibbs, text: "gibbs", vector: report.turn.gibbsVector },
     { ...words.rodrigues, text: "mrp", vector: report.turn.modifiedRodriguesParameters },

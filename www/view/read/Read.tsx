@@ -2,7 +2,6 @@
 import { toFragment } from "../../address/fragment.ts";
 
 import type { ReadReport } from "../../engine.ts";
-import { presetLike } from "../../model/conventions.ts";
 import { stateOf } from "../../model/examples/example.ts";
 import { type FeaturedName, featured } from "../../model/examples/featured.ts";
 import { shown, shownArray } from "../../number/format.ts";
@@ -99,7 +98,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
 function Result({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;
   // What the numbers were declared as, which is not the switch's state while a text has a problem.
-  const declared = presetLike(report.quaternion.convention, store.engine);
+  const { preset: declared } = store.engine.describe(report.quaternion.convention);
   return (
     <>
       {declared === undefined && <DeclaredCard report={report} store={store} digits={digits} />}

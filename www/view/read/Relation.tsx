@@ -1,6 +1,5 @@
 // How the two readings relate: two true sentences that must not be mixed up.
 import type { ReadReport } from "../../engine.ts";
-import { operatorOf } from "../../model/conventions.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import { shownArray } from "../../number/format.ts";
 import * as words from "../../words/read/relation.tsx";
@@ -15,8 +14,8 @@ export function Relation({
   digits: Digits;
   declared: Preset | undefined;
 }) {
-  const { handedness, ...declaration } = report.quaternion.convention;
-  const isEq18 = handedness === "left" && operatorOf(declaration) === "body-to-world";
+  const { handedness } = report.quaternion.convention;
+  const isEq18 = handedness === "left" && report.rules.operator === "body-to-world";
   const array = (numbers: readonly number[]) => <code>{shownArray(numbers, digits)}</code>;
   return (
     <section class="relation" aria-label={words.title}>

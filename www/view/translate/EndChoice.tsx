@@ -2,8 +2,9 @@
 import { useId, useState } from "preact/hooks";
 import { toFragment } from "../../address/fragment.ts";
 import type { ComponentOrder, Convention, Direction, Endpoint, Library } from "../../engine.ts";
-import { type Axis, axes, axisValues } from "../../model/conventions.ts";
+import { type Axis, axes } from "../../model/conventions.ts";
 import type { Store } from "../../state/store.ts";
+import { directionValues, namedConventions } from "../../values.ts";
 import { arrowOf, lettersOf } from "../../words/conventions.ts";
 import { knownWords } from "../../words/library_behaviour.ts";
 import * as words from "../../words/translate/end_choice.ts";
@@ -28,8 +29,8 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
     const now =
       end.kind === "convention"
         ? end.convention
-        : (engine.endOf(end.id)?.convention ?? engine.hamilton);
-    const convention = kind === "custom" ? now : engine[kind];
+        : (engine.describeLibrary(end.id)?.convention ?? namedConventions.hamilton);
+    const convention = kind === "custom" ? now : namedConventions[kind];
     set({ kind: "convention", convention });
   };
   return (
@@ -95,7 +96,7 @@ function DirectionChoice({
   set: (end: Endpoint) => void;
 }) {
   const group = useId();
-  const usual = store.engine.endOf(end.id);
+  const usual = store.engine.describeLibrary(end.id);
   if (usual === undefined) return null;
   const reason = (direction: Direction): string | undefined => {
     if (direction !== usual.direction) return undefined;
@@ -107,7 +108,7 @@ function DirectionChoice({
       kind="segments"
       group={group}
       legend={words.takes(usual.action)}
-      values={axisValues.direction.map((direction) => ({
+      values={directionValues.map((direction) => ({
         value: direction,
         words: <Noted word={arrowOf(direction)} note={reason(direction)} />,
       }))}

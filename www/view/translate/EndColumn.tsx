@@ -2,6 +2,7 @@
 import type { ComponentChildren } from "preact";
 import { endValues } from "../../copy/values.ts";
 import type { Engine, TranslatedEnd } from "../../engine.ts";
+import { arrayOf } from "../../model/component_order.ts";
 import type { Digits } from "../../model/page_state.ts";
 import { arrowOf, lettersOf } from "../../words/conventions.ts";
 import {
@@ -40,7 +41,7 @@ export function EndColumn({
   const library = libraryWith(engine, end.library);
   // Of other norms a library may print something else, which is not known to the last digit.
   const matrixOf = isUnit || library?.nonUnit?.matrix === "normalised" ? "as-printed" : "of-unit";
-  const values = endValues(name, end, matrixOf);
+  const values = endValues(name, end, matrixOf, engine.describe);
   const { assumed, components, constructorOrder, matrix } = end;
   const otherOrder =
     constructorOrder !== undefined && constructorOrder !== end.order ? constructorOrder : undefined;
@@ -91,11 +92,7 @@ export function EndColumn({
           <ArrayRow
             name={words.constructed(name)}
             symbol={lettersOf[otherOrder]}
-            numbers={
-              otherOrder === "scalar-first"
-                ? [components.w, components.x, components.y, components.z]
-                : [components.x, components.y, components.z, components.w]
-            }
+            numbers={arrayOf(components, otherOrder)}
             digits={digits}
             note={words.constructedNote}
             value={values.reordered}

@@ -1,7 +1,6 @@
 // A field to find a library by typing: a combobox with a list, after the pattern of WAI-ARIA.
 import { useEffect, useId, useRef, useState } from "preact/hooks";
 import type { Endpoint, Engine, Library } from "../../engine.ts";
-import { namedOf } from "../../model/conventions.ts";
 import { groupNames } from "../../words/library_behaviour.ts";
 import * as words from "../../words/translate/library_picker.ts";
 import { aboutLibrary, endName, groups } from "../parts/library.ts";
@@ -207,6 +206,6 @@ const fits = (text: string, asked: string) =>
 
 function keyOf(end: Endpoint, engine: Engine): string {
   if (end.kind === "library") return end.id;
-  const name = namedOf(end.convention, engine);
-  return name === "hamilton" || name === "jpl" ? `:${name}` : ":custom";
+  const { named } = engine.describe(end.convention);
+  return named === "hamilton" || named === "jpl" ? `:${named}` : ":custom";
 }

@@ -210,7 +210,7 @@ function Result({
                 name={words.components(names[side], report[side].order)}
                 components={report[side].components}
                 convention={report[side]}
-                value={endQuaternion(report[side])}
+                value={endQuaternion(report[side], store.engine.describe)}
                 digits={digits}
               />
             </div>

@@ -1,5 +1,6 @@
 // The sentence that cites a case, and what a link to it is called.
 import type { Convention } from "../../engine.ts";
+import { lettersOf } from "../conventions.ts";
 
 const directions: Record<Convention["direction"], string> = {
   "body-to-world": "body to world",
@@ -9,7 +10,7 @@ const directions: Record<Convention["direction"], string> = {
 /** The parts of a citation. */
 export const citeWords = {
   convention: ({ order, handedness, function: does, direction }: Convention) =>
-    `${handedness === "right" ? "Hamilton" : "JPL"} (${order === "scalar-first" ? "w x y z" : "x y z w"}, ${
+    `${handedness === "right" ? "Hamilton" : "JPL"} (${lettersOf[order]}, ${
       does === "active" ? "active, " : ""
     }${directions[direction]})`,
   unitQuaternion: (numbers: string) => `Unit quaternion ${numbers}`,

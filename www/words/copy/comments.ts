@@ -1,13 +1,9 @@
 // What copied code says of itself. It goes into source files: plain ASCII.
-import type { ComponentOrder, Convention, Direction } from "../../engine.ts";
+import type { Direction } from "../../engine.ts";
 import type { Copied, CopiedEuler, CopiedQuaternion } from "../../model/copied.ts";
 import type { CodeFormat } from "../../model/copy_formats.ts";
 import { isNormOne } from "../../number/format.ts";
-
-const letters: Record<ComponentOrder, string> = {
-  "scalar-first": "w x y z",
-  "scalar-last": "x y z w",
-};
+import { lettersOf } from "../conventions.ts";
 
 export const directionWords: Record<Direction, string> = {
   "body-to-world": "body to world",
@@ -65,14 +61,7 @@ const libraries: Partial<Record<CodeFormat, Library>> = {
   },
 };
 
-/** Between which coordinates the matrix R of four numbers of a convention leads. */
-type DirectionOfR = (convention: Convention) => Direction;
-
-function quaternionSays(
-  value: CopiedQuaternion,
-  format: CodeFormat,
-  directionOfR: DirectionOfR,
-): string[] {
+function quaternionSays(value: CopiedQuaternion, format: CodeFormat): string[] {
   const { norm, convention, symbol } = value;
   const { handedness, function: does, direction, order } = convention;
   const library = libraries[format];
@@ -80,20 +69,19 @@ function quaternionSays(
   const labels = `${does === "active" ? "active, " : ""}${directionWords[direction]}`;
   return [
     library === undefined
-      ? `${symbol}: ${name} (${productWords[handedness]}), ${letters[order]}, ${labels}`
+      ? `${symbol}: ${name} (${productWords[handedness]}), ${lettersOf[order]}, ${labels}`
       : `${symbol}: ${name} (${productWords[handedness]}), ${labels}; ${library.takes}`,
-    ...(library === undefined ? [] : libraryMatrix(value, library, directionOfR)),
+    ...(library === undefined ? [] : libraryMatrix(value, library)),
     ...(isNormOne(norm) ? [] : [`its norm is ${norm ?? "beyond a double"}, not 1`]),
   ];
 }
 
 /** What the library makes of the numbers, where that is not what the convention says anyway. */
 function libraryMatrix(
-  { convention }: CopiedQuaternion,
+  { convention, hamiltonMatrix }: CopiedQuaternion,
   library: Library,
-  directionOfR: DirectionOfR,
 ): string[] {
-  const direction = directionWords[directionOfR(convention)];
+  const direction = directionWords[hamiltonMatrix];
   if (convention.handedness === "left") {
     return [
       `the numbers as they are: ${library.name} multiplies ij = k, so ${library.matrix} of them is R(q) = C(q)^T, ${direction}`,
@@ -118,10 +106,10 @@ const carries =
   "the turn carries the world axes onto the body axes; its matrix is R(q), body to world";
 
 /** What a value is, one sentence a line. */
-export function says(value: Copied, format: CodeFormat, directionOfR: DirectionOfR): string[] {
+export function says(value: Copied, format: CodeFormat): string[] {
   switch (value.kind) {
     case "quaternion":
-      return quaternionSays(value, format, directionOfR);
+      return quaternionSays(value, format);
     case "matrix":
       return [`${value.symbol}: ${value.does}`];
     case "vector":

@@ -5,9 +5,9 @@ import type { Digits, Unit } from "../../model/page_state.ts";
 import { shown, shownRoughAngle } from "../../number/format.ts";
 import { lettersOf, symbolOf } from "../conventions.ts";
 
-export const otherOrder: Record<ComponentOrder, ComponentOrder> = {
-  "scalar-first": "scalar-last",
-  "scalar-last": "scalar-first",
+const otherLetters: Record<ComponentOrder, string> = {
+  "scalar-first": lettersOf["scalar-last"],
+  "scalar-last": lettersOf["scalar-first"],
 };
 
 const sources: Record<OrderSource, string> = {
@@ -56,7 +56,7 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
         <>
           Bare numbers do not tell their order: read as{" "}
           <code class="letters">{lettersOf[fact.order]}</code>. As{" "}
-          <code class="letters">{lettersOf[otherOrder[fact.order]]}</code> they would be a rotation{" "}
+          <code class="letters">{otherLetters[fact.order]}</code> they would be a rotation{" "}
           <code>{shownRoughAngle(fact.otherOrderDiffersByDeg, unit)}</code> away.
         </>
       );

@@ -67,6 +67,15 @@ impl BehaviourAxis {
     /// All eight: first those of the library, then those of how it is used.
     pub const ALL: [Self; 8] = names::all(VariantArray::VARIANTS);
 
+    /// Those of the library itself.
+    const OF_LIBRARY: [Self; 5] = [
+        Self::Constructor,
+        Self::Array,
+        Self::Handedness,
+        Self::Rotate,
+        Self::Matrix,
+    ];
+
     /// Whether a behaviour has the second of the two values of this choice.
     pub(crate) fn is_second(self, behaviour: &Behaviour) -> bool {
         match self {
@@ -83,14 +92,17 @@ impl BehaviourAxis {
 }
 
 impl Behaviour {
+    /// How many there are: 256.
+    pub(crate) const COUNT: usize = 1 << BehaviourAxis::ALL.len();
+
     /// All 256.
     pub fn all() -> impl Iterator<Item = Self> {
-        (0..1_u16 << BehaviourAxis::ALL.len()).map(Self::of_bits)
+        (0..Self::COUNT).map(Self::of_bits)
     }
 
     /// One bit for each choice, in their order: 0 for the first of its values and 1 for the second.
-    fn of_bits(bits: u16) -> Self {
-        let bit = |axis: BehaviourAxis| usize::from(bits >> axis as u16 & 1);
+    fn of_bits(bits: usize) -> Self {
+        let bit = |axis: BehaviourAxis| bits >> axis as usize & 1;
         Self {
             constructor: ComponentOrder::ALL[bit(BehaviourAxis::Constructor)],
             array: ComponentOrder::ALL[bit(BehaviourAxis::Array)],
@@ -104,33 +116,19 @@ impl Behaviour {
     }
 
     /// Which of these choices have the second of their values, one bit each.
-    pub(crate) fn bits_of(&self, axes: &[BehaviourAxis]) -> u16 {
+    pub(crate) fn bits_of(&self, axes: &[BehaviourAxis]) -> usize {
         let second = axes.iter().filter(|axis| axis.is_second(self));
-        second.map(|&axis| 1 << axis as u16).sum()
+        second.map(|&axis| 1 << axis as usize).sum()
     }
 
     /// The behaviour that differs in this choice alone.
     pub(crate) fn with_other(&self, axis: BehaviourAxis) -> Self {
-        Self::of_bits(self.bits_of(&BehaviourAxis::ALL) ^ 1 << axis as u16)
+        Self::of_bits(self.bits_of(&BehaviourAxis::ALL) ^ 1 << axis as usize)
     }
 
-    /// The five choices of the library itself, which do not depend on how it is used.
-    pub(crate) fn of_library(
-        &self,
-    ) -> (
-        ComponentOrder,
-        ComponentOrder,
-        Handedness,
-        CosineMatrix,
-        CosineMatrix,
-    ) {
-        (
-            self.constructor,
-            self.array,
-            self.handedness,
-            self.rotate,
-            self.matrix,
-        )
+    /// The five choices of the library itself, which do not depend on how it is used, one bit each.
+    pub(crate) fn of_library(&self) -> usize {
+        self.bits_of(&BehaviourAxis::OF_LIBRARY)
     }
 
     /// The operand of `a * b` that acts first on a vector.

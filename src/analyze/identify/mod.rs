@@ -32,7 +32,6 @@ use crate::convention::{Direction, Function};
 use crate::library::behaviour::{Behaviour, BehaviourAxis};
 use crate::library::{Language, libraries};
 use crate::problem::is_too_long;
-use std::collections::{HashMap, HashSet};
 
 /// Noise of single precision, after a few operations on numbers of size 1.
 const SINGLE_PRECISION: f64 = 1e-5;
@@ -143,11 +142,11 @@ impl Read {
                 .map(|answer| answer.distance(printed, behaviour.array));
             distances.fold(f64::INFINITY, f64::min)
         };
-        let mut of_answer = HashMap::new();
+        let mut known = [None; Behaviour::COUNT];
         let distances: Vec<f64> = Behaviour::all()
             .map(|behaviour| {
-                let answer = of_answer.entry(question.key(&behaviour));
-                *answer.or_insert_with(|| distance(&behaviour))
+                let answer = &mut known[question.key(&behaviour)];
+                *answer.get_or_insert_with(|| distance(&behaviour))
             })
             .collect();
         let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
@@ -374,8 +373,11 @@ fn next_probe(
         };
         // First what the library itself does, then how its user means the attitude.
         let of_library = |left: &[Behaviour]| {
-            let distinct: HashSet<_> = left.iter().map(Behaviour::of_library).collect();
-            distinct.len()
+            let mut distinct = [false; Behaviour::COUNT];
+            for behaviour in left {
+                distinct[behaviour.of_library()] = true;
+            }
+            distinct.into_iter().filter(|&is_there| is_there).count()
         };
         let leaves = (expected(&of_library), expected(&<[Behaviour]>::len));
         let is_better = best.as_ref().is_none_or(|(least, _, _)| leaves < *least);

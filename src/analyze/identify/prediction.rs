@@ -11,7 +11,6 @@ use crate::rotation::nearest::nearest;
 use crate::rotation::precise::Norm;
 use crate::rotation::quaternion::{hamilton_product, jpl_product};
 use nalgebra::{Matrix3, Quaternion, Vector3};
-use std::collections::HashMap;
 
 /// Four numbers, with or without names.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +79,7 @@ impl Question {
 
     /// The same for behaviours that print the same because no choice that matters here tells them apart:
     /// what is computed for one of them holds for all.
-    pub(crate) fn key(&self, behaviour: &Behaviour) -> u16 {
+    pub(crate) fn key(&self, behaviour: &Behaviour) -> usize {
         behaviour.bits_of(match self {
             Self::Components(..) => &[BehaviourAxis::Constructor, BehaviourAxis::Array],
             Self::Product(..) => &[
@@ -227,13 +226,10 @@ impl Question {
     /// Behaviours in groups that this question cannot tell apart.
     pub(crate) fn groups(&self, behaviours: &[Behaviour]) -> Vec<Vec<Behaviour>> {
         let mut groups: Vec<(Vec<Printed>, Vec<Behaviour>)> = Vec::new();
-        let mut group_of = HashMap::new();
+        let mut group_of = [None; Behaviour::COUNT];
         for behaviour in behaviours {
             let key = self.key(behaviour);
-            if let Some((_, group)) = group_of
-                .get(&key)
-                .and_then(|&at: &usize| groups.get_mut(at))
-            {
+            if let Some((_, group)) = group_of[key].and_then(|at: usize| groups.get_mut(at)) {
                 group.push(*behaviour);
                 continue;
             }
@@ -250,7 +246,7 @@ impl Question {
                     groups.push((printed.collect(), vec![*behaviour]));
                 }
             }
-            group_of.insert(key, known.unwrap_or(groups.len() - 1));
+            group_of[key] = Some(known.unwrap_or(groups.len() - 1));
         }
         groups.into_iter().map(|(_, group)| group).collect()
     }

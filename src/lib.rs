@@ -2,10 +2,11 @@
 //! composition order.
 //!
 //! ```text
-//! typed text -> text/ -> numbers with spans -> convention/ -> tagged quaternion -> rotation/ -> canonical rotation
-//!     ^                                                                                                |
-//!     '---------- page <- wasm/ <- contract/ (the report) <------------ analyze/ <---------------------'
-//!                          any step may stop with a problem/ that points into the text
+//! page -> wasm/ -> a request (contract/) -> analyze/ -> text/      numbers with their places
+//!                                              |     -> convention/  tagged with what they mean
+//!                                              |     -> rotation/    one canonical rotation, and back
+//! page <- wasm/ <- a report  (contract/) <-----'
+//!                  or, from any step, a problem/ that points into the text
 //! ```
 //!
 //! [`analyze()`] is that whole road in one call. The steps can be used alone: [`parse_quaternion`],

@@ -2,7 +2,7 @@
 
 use crate::analyze::describe::rules;
 use crate::analyze::matrix::of_matrix;
-use crate::analyze::plain::{coordinates, plain, rows3, rows4};
+use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
 use crate::contract::{
     AngleUnitAssumed, Column, Components, Form, PairedMatrix, ReadAxisAngle, ReadEulerAngles,
     ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,

@@ -6,7 +6,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::describe::turn;
-use crate::analyze::plain::{coordinates, rows3};
+use crate::analyze::plain_numbers::{coordinates, rows3};
 use crate::analyze::vector::TypedVector;
 use crate::contract::request::ComposeRequest;
 use crate::contract::{

@@ -1,7 +1,7 @@
 //! A rotation in the representations that need no text: a turn, Euler angles, and what a convention
 //! multiplies.
 
-use crate::analyze::plain::{coordinates, plain};
+use crate::analyze::plain_numbers::{coordinates, plain};
 use crate::contract::{ConventionDescription, Euler, ReadGimbalLock, Rules, Turn};
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::side::Side;

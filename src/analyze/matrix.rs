@@ -1,7 +1,7 @@
 //! Nine numbers to an attitude, or why not: how far from a rotation they are, and which axis a
 //! reflection flips.
 
-use crate::analyze::plain::rows3;
+use crate::analyze::plain_numbers::rows3;
 use crate::contract::ReadMatrix;
 use crate::convention::matrix::MatrixConvention;
 use crate::problem::Span;

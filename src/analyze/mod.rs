@@ -1,8 +1,8 @@
 //! The whole road: a request in, an outcome out.
 //!
 //! Text is parsed, tagged with its convention, turned into the canonical
-//! rotation, and written back in every convention. Any step may stop with
-//! problems; nothing is thrown and nothing is printed.
+//! rotation, and written back in the conventions of the answer. Any step may
+//! stop with problems; nothing is thrown and nothing is printed.
 
 // A text to an attitude, and the attitude to numbers in a convention.
 mod attitude;
@@ -26,7 +26,7 @@ mod matrix;
 mod notes;
 
 // Numbers as reports have them.
-mod plain;
+mod plain_numbers;
 
 // What one attitude means.
 pub(crate) mod read;

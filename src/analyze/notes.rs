@@ -2,7 +2,7 @@
 
 use crate::analyze::attitude::Attitude;
 use crate::analyze::describe::{HALF_TURN_SCALAR, is_half_turn};
-use crate::analyze::plain::plain;
+use crate::analyze::plain_numbers::plain;
 use crate::contract::{
     AxesAsColumns, Fact, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note, OrderAssumed,
     OrderFromText, RowsAssumed, UnknownConstructor, UsedNearestRotation,

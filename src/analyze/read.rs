@@ -2,7 +2,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::describe::{euler, rules, turn};
-use crate::analyze::plain::coordinates;
+use crate::analyze::plain_numbers::coordinates;
 use crate::analyze::vector::TypedVector;
 use crate::contract::request::ReadRequest;
 use crate::contract::{Components, Fact, Note, OutOfRange, OutOfRangeNumber, ReadReport};

@@ -3,7 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
-use crate::analyze::plain::{plain, rows3};
+use crate::analyze::plain_numbers::{plain, rows3};
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
     AxesReport, Change, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind,

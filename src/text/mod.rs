@@ -1,4 +1,4 @@
-//! Text to numbers: everything people paste, and nothing about rotations.
+//! Text to numbers: everything people paste, as what they describe; no rotation is computed here.
 //!
 //! What comes in is text as typed; what goes out is finite numbers by name, what they describe
 //! (a quaternion, an axis with its angle, a rotation vector or another vector along the axis, Euler

@@ -5,11 +5,12 @@ use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::description::list::{members, sequence_among_numbers};
-use crate::text::description::members::component;
+use crate::text::description::named_members::component;
 use crate::text::description::settings::{Settings, without_settings};
 use crate::text::description::wording::{Spoken, spoken};
 use crate::text::description::{
-    ParsedRotation, axis_angle, call, form, matrix, matrix_columns, parts, quaternion,
+    ParsedRotation, announced_numbers, axis_angle, call, matrix, matrix_columns, named_parts,
+    quaternion,
 };
 use crate::text::grammar;
 use crate::text::grammar::lex::Token;
@@ -168,7 +169,7 @@ fn by_words<'s, 't>(
         Spoken::Several(second) => return Err(Fault::several_values(second)),
         Spoken::Parts(labels, parts) => {
             let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
-            ByWords::Rotation(parts::rotation(&parts, &announcement, span)?)
+            ByWords::Rotation(named_parts::rotation(&parts, &announcement, span)?)
         }
         Spoken::Vectors(vectors) => {
             let matrix = matrix_columns::matrix(&vectors, span)?;
@@ -180,7 +181,12 @@ fn by_words<'s, 't>(
                 let announcement = announcement
                     .with_unit(unit)?
                     .with_sequence(settings.sequence)?;
-                ByWords::Rotation(form::rotation(&announcement, form, rest, text)?)
+                ByWords::Rotation(announced_numbers::rotation(
+                    &announcement,
+                    form,
+                    rest,
+                    text,
+                )?)
             }
         },
         Spoken::Nothing => ByWords::Numbers(tokens),

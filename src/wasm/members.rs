@@ -3,7 +3,7 @@
 //! Nothing else of an object is looked at, however deep it is or whatever it leads back to. What a getter
 //! or a proxy throws is passed on as it is; all other refusals are a `TypeError`.
 
-use crate::wasm::text::{Texts, beginning};
+use crate::wasm::request_texts::{Texts, beginning};
 use js_sys::{JsString, Reflect, TypeError};
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]

@@ -14,7 +14,7 @@ mod members;
 mod request;
 
 // The texts of requests, and how long they are.
-mod text;
+mod request_texts;
 
 use crate::analyze::compose::compose;
 use crate::analyze::describe::describe_convention as described_convention;
@@ -25,14 +25,14 @@ use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
 use crate::text::parse_number;
 use crate::wasm::members::{Members, Typed, no_such_choice, refused, word};
 use crate::wasm::request::{compose_request, read_request};
-use crate::wasm::text::{Texts, member_of};
+use crate::wasm::request_texts::{Texts, member_of};
 use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
-    crate::analyze::identify::reading::LONGEST_TEXT_BYTES,
+    crate::analyze::identify::observation::LONGEST_TEXT_BYTES,
     crate::analyze::identify::{identify, standard_probes},
     crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},

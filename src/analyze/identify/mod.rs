@@ -4,13 +4,13 @@
 //! with all observations. The next probe is the one whose answer leaves the fewest, on average.
 
 // A probe as code.
-mod code;
+mod probe_code;
 
 // What a library is asked, and what it may answer.
 mod prediction;
 
 // A probe in texts to numbers.
-pub(crate) mod reading;
+pub(crate) mod observation;
 
 /// What a library means by three angles, by a matrix and by a small turn.
 pub mod recognition;
@@ -18,9 +18,9 @@ pub mod recognition;
 // What is settled, in words.
 mod sentence;
 
-use crate::analyze::identify::code::code;
+use crate::analyze::identify::observation::{printed, question, rounding};
 use crate::analyze::identify::prediction::{Printed, Question};
-use crate::analyze::identify::reading::{printed, question, rounding};
+use crate::analyze::identify::probe_code::code;
 use crate::analyze::identify::sentence::sentence;
 use crate::contract::probe::{MatrixLayout, Probe};
 use crate::contract::request::IdentifyRequest;

@@ -9,7 +9,7 @@ use crate::text::description::angle::{Angle, UnitRule};
 use crate::text::description::axis::{alone, axis_of_node, letter_axis};
 use crate::text::description::list::held;
 use crate::text::description::matrix;
-use crate::text::description::members::component;
+use crate::text::description::named_members::component;
 use crate::text::description::quaternion;
 use crate::text::description::{
     ParsedRotation, THREE_ANGLES, THREE_NUMBERS, euler_angles, rotation_vector, three,

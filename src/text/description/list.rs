@@ -3,7 +3,7 @@
 use crate::convention::euler_sequence::EulerSequence;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::text::description::members::without_options;
+use crate::text::description::named_members::without_options;
 use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 use crate::text::grammar::signs::Meanings;

@@ -16,7 +16,7 @@ pub(crate) mod axis_angle;
 pub(crate) mod call;
 
 // The numbers behind an announcement.
-pub(crate) mod form;
+pub(crate) mod announced_numbers;
 
 // Twelve or sixteen numbers to a homogeneous matrix.
 pub(crate) mod homogeneous;
@@ -31,10 +31,10 @@ pub(crate) mod matrix;
 pub(crate) mod matrix_columns;
 
 // Members with names.
-pub(crate) mod members;
+pub(crate) mod named_members;
 
 // The parts of a rotation by name.
-pub(crate) mod parts;
+pub(crate) mod named_parts;
 
 // Members to named components.
 pub(crate) mod quaternion;

@@ -5,7 +5,7 @@ use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted, shorten};
 use crate::text::description::list::{check_separators, held, values};
-use crate::text::description::members::{ORIENTATIONS, component, named, without_options};
+use crate::text::description::named_members::{ORIENTATIONS, component, named, without_options};
 use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
 use crate::text::vocabulary::constructors::{self, Call};

@@ -3,7 +3,7 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
-use crate::text::description::parts;
+use crate::text::description::named_parts;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::grammar::tree::Key;
 use crate::text::vocabulary::constructors::order_in_name;
@@ -120,7 +120,7 @@ pub(crate) fn without_settings<'t>(
     let mut rest: Vec<Token<'t>> = Vec::new();
     let mut is_call = Vec::new();
     let mut open_calls = 0_usize;
-    let has_names = tokens.iter().any(parts::is_named_angle);
+    let has_names = tokens.iter().any(named_parts::is_named_angle);
     let mut at = 0;
     while let Some(token) = tokens.get(at) {
         match token.kind {

@@ -5,8 +5,8 @@
 use crate::problem::Span;
 use crate::text::description::announcement::{Announcement, announcement};
 use crate::text::description::matrix_columns::{LabelledVector, labelled_vectors};
-use crate::text::description::members::component;
-use crate::text::description::parts::{SpokenPart, named_parts};
+use crate::text::description::named_members::component;
+use crate::text::description::named_parts::{SpokenPart, named_parts};
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 use crate::text::grammar::nesting::{at_depth_zero, inside};
 use crate::text::vocabulary::constructors::is_derived_label;

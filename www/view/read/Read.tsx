@@ -11,9 +11,9 @@ import { examplesLabel, featuredNames, moreExamples } from "../../words/examples
 import * as words from "../../words/parts/ask.ts";
 import { AskRest } from "../parts/Ask.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
-import { NamedComponents } from "../parts/Form.tsx";
 import { Notes } from "../parts/Notes.tsx";
 import { Picture } from "../parts/Picture.tsx";
+import { NamedComponents } from "../parts/ReadAs.tsx";
 import { TextField } from "../parts/TextField.tsx";
 import { UndoRedo } from "../parts/UndoRedo.tsx";
 import { ConventionColumn } from "./Column.tsx";

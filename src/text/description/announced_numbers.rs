@@ -11,7 +11,7 @@ use crate::text::description::call;
 use crate::text::description::list::members;
 use crate::text::description::matrix;
 use crate::text::description::matrix_columns::{self, labelled_vectors};
-use crate::text::description::parts::{self, named_parts};
+use crate::text::description::named_parts::{self, named_parts};
 use crate::text::description::quaternion;
 use crate::text::description::{
     ParsedRotation, THREE_ANGLES, THREE_HALVES, THREE_NUMBERS, euler_angles, half_angle_vector,
@@ -51,7 +51,7 @@ pub(crate) fn rotation(
         if let Some(label) = inner.first().filter(|word| is_derived_label(word.text)) {
             return Err(Fault::derived_label(label.span, label.text));
         }
-        return parts::rotation(&found, announcement, span_of(rest, announcement.span));
+        return named_parts::rotation(&found, announcement, span_of(rest, announcement.span));
     }
     let (rest, unit) = angle::without_unit(rest);
     if let (Some(before), Some(after)) = (announcement.unit, unit)

@@ -5,9 +5,9 @@ import { sequenceName } from "../../model/euler_sequence.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
 import { fromRadians, shown, shownAngle, shownArray, shownAxis } from "../../number/format.ts";
 import { arrowOf } from "../../words/conventions.ts";
-import * as words from "../../words/parts/form.tsx";
+import * as words from "../../words/parts/read_as.tsx";
 import { namesInOrder } from "./Value.tsx";
-import "./form.css";
+import "./read_as.css";
 
 /** `Euler angles ZYX 30°, 20°, 10°` and the like; nothing for a quaternion, whose numbers follow. */
 export function FormWords({

@@ -46,6 +46,29 @@ export function run(command, ...args) {
   if (status !== 0) throw new Stop(`${[command, ...args].join(" ")} failed; its words are above`);
 }
 
+/** Runs programs at the same time, and shows the output of each when all of them have ended. */
+export async function runTogether(...commands) {
+  const ended = await Promise.all(
+    commands.map(
+      ([command, ...args]) =>
+        new Promise((resolve) => {
+          let output = "";
+          const child = spawn(command, args, { cwd: root, shell: isWindows });
+          for (const stream of [child.stdout, child.stderr]) {
+            stream.on("data", (chunk) => {
+              output += chunk;
+            });
+          }
+          child.on("error", (error) => resolve({ output: String(error) }));
+          child.on("close", (status) => resolve({ output, status }));
+        }),
+    ),
+  );
+  for (const { output } of ended) console.log(output);
+  const failed = commands.find((_, at) => ended[at].status !== 0);
+  if (failed !== undefined) throw new Stop(`${failed.join(" ")} failed; its words are above`);
+}
+
 /**
  * Runs a program with its output in a log. If it fails, one line says what could not be done, why
  * as far as the program told, and what to do.

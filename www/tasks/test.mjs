@@ -1,10 +1,10 @@
 // npm test: set up what is missing, then every check, the fast ones first.
 // `npm test -- rust page` runs only the named steps.
-import { existsSync } from "node:fs";
+import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { buildPackage } from "./package.mjs";
 import { buildCore, setUp, setUpBrowser, setUpFirefox, setUpRustChecks } from "./setup.mjs";
-import { main, root, run, Stop, say } from "./shell.mjs";
+import { main, root, run, runTogether, Stop, say } from "./shell.mjs";
 
 const warningsAreErrors = ["--", "-D", "warnings"];
 
@@ -35,7 +35,13 @@ const steps = {
     await buildPackage();
     run(process.execPath, "--test", "tests/node/");
   },
-  wasm: () => run("wasm-pack", "test", "--node"),
+  wasm: () => {
+    // Each crate of tests runs on one core, and the longest takes as long as all others.
+    const [longest, ...others] = testCrates();
+    const test = ["wasm-pack", "test", "--node", "--"];
+    const named = (names) => names.flatMap((name) => ["--test", name]);
+    return runTogether([...test, ...named([longest])], [...test, "--lib", ...named(others)]);
+  },
   page: async () => {
     process.env.QUATLAS_BROWSER = (await setUpBrowser()) ?? "";
     process.env.QUATLAS_FIREFOX = await setUpFirefox();
@@ -45,6 +51,13 @@ const steps = {
     run("playwright", "test", "--config", "tests/browser/playwright.config.ts");
   },
 };
+
+/** The crates of tests that also run in wasm: the folders with a main.rs, the longest first. */
+function testCrates() {
+  const folders = readdirSync(join(root, "tests"));
+  const crates = folders.filter((name) => existsSync(join(root, "tests", name, "main.rs")));
+  return crates.sort((one, other) => Number(other === "library") - Number(one === "library"));
+}
 
 await main(async () => {
   if (!existsSync(join(root, "Cargo.lock"))) throw new Stop("this is not a checkout of quatlas");

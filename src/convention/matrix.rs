@@ -11,9 +11,10 @@
 //! | active, body to world | `R_BW` | the world axes in body coordinates |
 //! | active, world to body | `R_WB` | the body axes in world coordinates |
 
-use crate::convention::{ComponentSign, Convention, Direction, Function, names};
+use crate::convention::{ComponentSign, Convention, Direction, Function, UnknownName, names};
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use std::str::FromStr;
 use strum::VariantArray;
 
 /// What a rotation matrix means: two independent choices.
@@ -70,6 +71,40 @@ impl MatrixConvention {
 impl fmt::Display for MatrixConvention {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {}", self.function, self.direction)
+    }
+}
+
+/// From its two names, in any order, each once: `world-to-body passive`.
+///
+/// ```
+/// use quatlas::MatrixConvention;
+/// let convention: MatrixConvention = "world-to-body passive".parse()?;
+/// assert_eq!(convention, MatrixConvention::WORLD_TO_BODY);
+/// assert_eq!(convention.to_string(), "passive world-to-body");
+/// # Ok::<(), quatlas::UnknownName>(())
+/// ```
+impl FromStr for MatrixConvention {
+    type Err = UnknownName;
+
+    fn from_str(text: &str) -> Result<Self, UnknownName> {
+        let unknown = || UnknownName {
+            name: text.to_owned(),
+        };
+        let mut function = None;
+        let mut direction = None;
+        for word in text.split_whitespace() {
+            let is_second = match word.parse() {
+                Ok(named) => function.replace(named).is_some(),
+                Err(_) => direction.replace(word.parse()?).is_some(),
+            };
+            if is_second {
+                return Err(unknown());
+            }
+        }
+        Ok(Self {
+            function: function.ok_or_else(unknown)?,
+            direction: direction.ok_or_else(unknown)?,
+        })
     }
 }
 

@@ -35,7 +35,9 @@ const steps = {
     await buildPackage();
     run(process.execPath, "--test", "tests/node/");
   },
-  wasm: () => {
+  wasm: async () => {
+    // wasm-bindgen is there once the core is built; two at once would both install it.
+    await buildCore();
     // Each crate of tests runs on one core, and the longest takes as long as all others.
     const [longest, ...others] = testCrates();
     const test = ["wasm-pack", "test", "--node", "--"];

@@ -41,8 +41,6 @@ pub(crate) struct Attitude {
     pub(crate) unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
-    /// Whether anything in the text can be a word or a unit.
-    has_words: bool,
     pub(crate) declared: Convention,
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
@@ -57,7 +55,7 @@ impl Attitude {
             let read = |candidate: &str| read(candidate).map(drop);
             with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
         })?;
-        if attitude.unit.is_some() || !attitude.has_words {
+        if attitude.unit.is_some() {
             return Ok(attitude);
         }
         let is_read = |text: &str| read(text).is_ok();
@@ -74,14 +72,10 @@ impl Attitude {
         let RotationText {
             rotation: parsed,
             row_marks,
-            has_words,
         } = read_rotation(text, convention.order)?;
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
-                return Ok(Self {
-                    has_words,
-                    ..Self::of_quaternion(parsed, convention, span)?
-                });
+                return Self::of_quaternion(parsed, convention, span);
             }
             ParsedRotation::AxisAngle(parsed) => {
                 let read = ReadAxisAngle {
@@ -154,7 +148,6 @@ impl Attitude {
                 _ => None,
             },
             row_marks: is_matrix.then_some(row_marks),
-            has_words,
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
@@ -179,7 +172,6 @@ impl Attitude {
             parsed: Some(parsed),
             unit: None,
             row_marks: None,
-            has_words: true,
             declared,
             tagged,
             rotation,

@@ -5,7 +5,7 @@ use crate::contract::{Fact, Note};
 use crate::convention::angle::AngleUnit;
 use crate::problem::{Field, Problem, Wanted};
 use crate::text::mend::{unit, with_suggestion};
-use crate::text::{parse_vector, read_vector};
+use crate::text::parse_vector;
 use nalgebra::Vector3;
 
 /// A vector as it was typed.
@@ -19,17 +19,14 @@ impl TypedVector {
     /// The vector that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str) -> Result<Self, Problem> {
         let field = Field::Vector;
-        let read = read_vector(text).map_err(|fault| {
+        let vector = parse_vector(text).map_err(|fault| {
             let read = |candidate: &str| parse_vector(candidate).map(drop);
             with_suggestion(fault, text, Wanted::Vector, &read).in_field(field)
         })?;
         let is_read = |text: &str| parse_vector(text).is_ok();
-        let texts = read
-            .has_words
-            .then(|| unit::inside_functions(text, &is_read));
         Ok(Self {
-            vector: read.vector,
-            note: texts.flatten().map(|texts| Note {
+            vector,
+            note: unit::inside_functions(text, &is_read).map(|texts| Note {
                 field,
                 fact: Fact::AngleUnitAssumed(unit_assumed(AngleUnit::Radians, texts)),
             }),

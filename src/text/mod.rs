@@ -158,8 +158,6 @@ pub(crate) struct RotationText {
     pub(crate) rotation: ParsedRotation,
     /// What marks the rows of a matrix.
     pub(crate) row_marks: RowMarks,
-    /// Whether anything in it can be a word or a unit.
-    pub(crate) has_words: bool,
 }
 
 /// The rotation that a text holds, and what else it tells.
@@ -171,7 +169,6 @@ pub(crate) fn read_rotation(text: &str, declared: ComponentOrder) -> Result<Rota
             ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
             _ => RowMarks::None,
         },
-        has_words: telling.has_words,
         rotation,
     })
 }
@@ -227,23 +224,8 @@ pub fn parse_quaternion(text: &str, declared: ComponentOrder) -> Result<ParsedQu
 /// # Ok::<(), quatlas::Fault>(())
 /// ```
 pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
-    read_vector(text).map(|read| read.vector)
-}
-
-/// What a text holds that holds a vector.
-pub(crate) struct VectorText {
-    pub(crate) vector: Vector3<f64>,
-    /// Whether anything in it can be a word or a unit.
-    pub(crate) has_words: bool,
-}
-
-/// The vector that a text holds, and what else it tells.
-pub(crate) fn read_vector(text: &str) -> Result<VectorText, Fault> {
     let (telling, span) = telling_of(text, Wanted::Vector)?;
-    Ok(VectorText {
-        vector: quaternion::vector(&grammar::entries(&telling.tokens)?, span)?,
-        has_words: telling.has_words,
-    })
+    quaternion::vector(&grammar::entries(&telling.tokens)?, span)
 }
 
 /// The one number that a text holds, computed where it is an expression.

@@ -21,8 +21,8 @@ use crate::text::vocabulary::phrases::Form;
 /// What members are read as; `None` where they are something else.
 type Reader = fn(&Members<'_>) -> Result<Option<ParsedRotation>, Fault>;
 
-/// The readers in the order in which they are asked; two know only what stands beside words or units.
-/// What none of them knows is a quaternion.
+/// The readers in the order in which they are asked; three know only what stands beside words or
+/// units. What none of them knows is a quaternion.
 const READERS: [(Asked, Reader); 5] = [
     (Asked::OfWords, angle_beside_axis),
     (Asked::Always, no_sequence_without_word),
@@ -92,7 +92,7 @@ pub(crate) fn rotation(
 ) -> Result<ParsedRotation, Fault> {
     if !telling.has_words {
         let members = Members::of(&telling.tokens, span, Said::Nothing)?;
-        return by_members(&members, None, declared);
+        return by_members(&members, &Settings::default(), declared);
     }
     let (tokens, settings) = without_settings(&telling.tokens)?;
     match by_words(&tokens, text, span, &settings)? {
@@ -101,8 +101,7 @@ pub(crate) fn rotation(
             Ok(rotation)
         }
         ByWords::WithoutUnit(rotation) => {
-            settings.check_no_unit()?;
-            settings.check_order(None)?;
+            settings.check_nothing_said()?;
             Ok(rotation)
         }
         ByWords::Numbers(numbers) => {
@@ -111,18 +110,14 @@ pub(crate) fn rotation(
             } else {
                 Said::NotADescription
             };
-            by_members(
-                &Members::of(numbers, span, said)?,
-                Some(&settings),
-                declared,
-            )
+            by_members(&Members::of(numbers, span, said)?, &settings, declared)
         }
     }
 }
 
 fn by_members(
     members: &Members<'_>,
-    settings: Option<&Settings<'_>>,
+    settings: &Settings<'_>,
     declared: ComponentOrder,
 ) -> Result<ParsedRotation, Fault> {
     for (asked, read) in READERS {
@@ -130,21 +125,13 @@ fn by_members(
             continue;
         }
         if let Some(rotation) = read(members)? {
-            if let Some(settings) = settings {
-                settings.check_no_unit()?;
-                settings.check_order(None)?;
-            }
+            settings.check_nothing_said()?;
             return Ok(rotation);
         }
     }
-    let Members { written, span, .. } = members;
-    let Some(settings) = settings else {
-        let quaternion = quaternion::quaternion(written, *span, declared, None)?;
-        return Ok(ParsedRotation::Quaternion(quaternion));
-    };
     settings.check_no_unit()?;
     let told = settings.order.map(|(order, _)| order);
-    let quaternion = quaternion::quaternion(written, *span, declared, told)?;
+    let quaternion = quaternion::quaternion(&members.written, members.span, declared, told)?;
     // Names have no order that another could contradict.
     if quaternion.order_source != OrderSource::Named {
         settings.check_order(Some(quaternion.order))?;

@@ -101,6 +101,12 @@ impl<'t> Settings<'t> {
         }
     }
 
+    /// That nothing is said of a unit or an order, because the numbers have neither.
+    pub(crate) fn check_nothing_said(&self) -> Result<(), Fault> {
+        self.check_no_unit()?;
+        self.check_order(None)
+    }
+
     /// That nothing is said of an order which these numbers do not have.
     pub(crate) fn check_order(&self, own: Option<ComponentOrder>) -> Result<(), Fault> {
         match self.order {

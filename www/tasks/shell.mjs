@@ -46,23 +46,30 @@ export function run(command, ...args) {
   if (status !== 0) throw new Stop(`${[command, ...args].join(" ")} failed; its words are above`);
 }
 
+/** The exit code of a program whose output is handed on as it comes; undefined where there is no such program. */
+function listenTo(command, args, hear) {
+  return new Promise((resolve) => {
+    const child = spawn(command, args, { cwd: root, shell: isWindows });
+    child.stdout.on("data", hear);
+    child.stderr.on("data", hear);
+    child.on("error", (error) => {
+      hear(String(error));
+      resolve(undefined);
+    });
+    child.on("close", resolve);
+  });
+}
+
 /** Runs programs at the same time, and shows the output of each when all of them have ended. */
 export async function runTogether(...commands) {
   const ended = await Promise.all(
-    commands.map(
-      ([command, ...args]) =>
-        new Promise((resolve) => {
-          let output = "";
-          const child = spawn(command, args, { cwd: root, shell: isWindows });
-          for (const stream of [child.stdout, child.stderr]) {
-            stream.on("data", (chunk) => {
-              output += chunk;
-            });
-          }
-          child.on("error", (error) => resolve({ output: String(error) }));
-          child.on("close", (status) => resolve({ output, status }));
-        }),
-    ),
+    commands.map(async ([command, ...args]) => {
+      let output = "";
+      const status = await listenTo(command, args, (chunk) => {
+        output += chunk;
+      });
+      return { output, status };
+    }),
   );
   for (const { output } of ended) console.log(output);
   const failed = commands.find((_, at) => ended[at].status !== 0);
@@ -78,19 +85,9 @@ export async function runQuietly({ task, advice }, command, ...args) {
   const logFile = join("target", `${task.replaceAll(" ", "-")}.log`);
   const log = createWriteStream(join(root, logFile));
   let output = "";
-  const status = await new Promise((resolve) => {
-    const child = spawn(command, args, { cwd: root, shell: isWindows });
-    for (const stream of [child.stdout, child.stderr]) {
-      stream.on("data", (chunk) => {
-        log.write(chunk);
-        output = (output + chunk).slice(-longestReason);
-      });
-    }
-    child.on("error", (error) => {
-      output = String(error);
-      resolve(undefined);
-    });
-    child.on("close", resolve);
+  const status = await listenTo(command, args, (chunk) => {
+    log.write(chunk);
+    output = (output + chunk).slice(-longestReason);
   });
   log.end();
   if (status === 0) return;

@@ -234,6 +234,30 @@ test("the list of keys is the table, keeps the focus inside and gives it back", 
   await expect(opener).toBeFocused();
 });
 
+test("a key right after Escape opens what it names: a closing told late closes nothing else", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  for (const [key, name] of [
+    ["e", "Examples"],
+    ["?", "Keyboard shortcuts"],
+    ["?", "Keyboard shortcuts"],
+    ["e", "Examples"],
+  ] as const) {
+    // As after Escape: closed, and the next key is there before the browser says so.
+    await page.evaluate((key) => {
+      document.querySelector("dialog")?.close();
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+    }, key);
+    const dialog = page.getByRole("dialog", { name });
+    await expect(dialog.getByRole("link").or(dialog.getByRole("definition")).first()).toBeVisible();
+    await expect(page.locator("dialog")).toHaveCount(1);
+  }
+  await page.keyboard.press("Escape");
+  await expect(page.locator("dialog")).toHaveCount(0);
+});
+
 test("keys are letters in a text field, with a modifier, and once they are switched off", async ({
   page,
 }) => {

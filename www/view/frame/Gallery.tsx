@@ -4,12 +4,11 @@ import { toFragment } from "../../address/fragment.ts";
 import { stateOf } from "../../model/examples/example.ts";
 import { exampleNames, exampleOf } from "../../model/examples/gallery.ts";
 import { type PageState, views } from "../../model/page_state.ts";
-import { hideOverlay } from "../../state/overlay.ts";
 import type { Store } from "../../state/store.ts";
 import { exampleWords, groupWords } from "../../words/examples/gallery.ts";
 import "./gallery.css";
 
-export function Gallery({ store }: { store: Store }) {
+export function Gallery({ store, hide }: { store: Store; hide: () => void }) {
   const state = store.state.value;
   // The random one stays as it is while the gallery is open.
   const examples = useMemo(() => exampleNames.map((name) => ({ name, ...exampleOf(name) })), []);
@@ -17,7 +16,7 @@ export function Gallery({ store }: { store: Store }) {
     .map((view) => ({ view, shown: examples.filter((example) => example.view === view) }))
     .filter(({ shown }) => shown.length > 0);
   const leave = () => {
-    hideOverlay();
+    hide();
     scrollTo({ top: 0 });
   };
   return groups.map(({ view, shown }) => (

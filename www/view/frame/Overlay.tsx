@@ -2,12 +2,12 @@
 import type { FunctionComponent } from "preact";
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { OverlayName } from "../../model/overlay_name.ts";
-import { hideOverlay, shownOverlay } from "../../state/overlay.ts";
+import { hideOverlay, type Overlay as Opening, shownOverlay } from "../../state/overlay.ts";
 import type { Store } from "../../state/store.ts";
 import { close, loading, notLoaded, overlayNames } from "../../words/frame/overlay.ts";
 import "./overlay.css";
 
-type Content = FunctionComponent<{ store: Store }>;
+type Content = FunctionComponent<{ store: Store; hide: () => void }>;
 
 const contents: Record<OverlayName, () => Promise<Content>> = {
   help: async () => (await import("./Help.tsx")).Help,
@@ -15,11 +15,13 @@ const contents: Record<OverlayName, () => Promise<Content>> = {
 };
 
 export function Overlay({ store }: { store: Store }) {
-  const name = shownOverlay.value;
-  return name === undefined ? null : <Dialog key={name} name={name} store={store} />;
+  const opening = shownOverlay.value;
+  return opening === undefined ? null : <Dialog key={opening} opening={opening} store={store} />;
 }
 
-function Dialog({ name, store }: { name: OverlayName; store: Store }) {
+function Dialog({ opening, store }: { opening: Opening; store: Store }) {
+  const { name } = opening;
+  const hide = () => hideOverlay(opening);
   const dialog = useRef<HTMLDialogElement>(null);
   const [content, setContent] = useState<{ Shown: Content } | "loading" | "failed">("loading");
 
@@ -41,14 +43,14 @@ function Dialog({ name, store }: { name: OverlayName; store: Store }) {
       ref={dialog}
       class={`overlay overlay-${name}`}
       aria-labelledby="overlay-name"
-      onClose={hideOverlay}
+      onClose={hide}
       // Escape, and a click beside it.
       {...{ closedby: "any" }}
     >
       <div class="overlay-box">
         <header>
           <h2 id="overlay-name">{overlayNames[name]}</h2>
-          <button type="button" class="tool" onClick={hideOverlay}>
+          <button type="button" class="tool" onClick={hide}>
             <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true">
               <path d="M3.5 3.5 L12.5 12.5 M12.5 3.5 L3.5 12.5" />
             </svg>
@@ -57,7 +59,7 @@ function Dialog({ name, store }: { name: OverlayName; store: Store }) {
         </header>
         {content === "loading" && <p>{loading}</p>}
         {content === "failed" && <p role="alert">{notLoaded}</p>}
-        {typeof content === "object" && <content.Shown store={store} />}
+        {typeof content === "object" && <content.Shown store={store} hide={hide} />}
       </div>
     </dialog>
   );

@@ -1,7 +1,7 @@
 //! What two quaternions make together: both products, in both orders.
 //!
 //! In `left ∘ right` the right factor acts on a vector first, in both products,
-//! because `(p∘q)∘x∘(p∘q)⁻¹ = p∘(q∘x∘q⁻¹)∘p⁻¹`. Which turn of the body comes
+//! because `(p∘q)∘v∘(p∘q)⁻¹ = p∘(q∘v∘q⁻¹)∘p⁻¹`. Which turn of the body comes
 //! first is another question; its answer depends on the direction.
 
 use crate::analyze::attitude::{Attitude, Declared};

@@ -129,7 +129,7 @@ pub struct Rules {
     /// Whether the components are those of the Hamilton quaternion body to world (σ = +1) or of its
     /// conjugate (σ = −1).
     pub is_canonical: bool,
-    /// Which coordinates `q∘x∘q⁻¹` takes to which: its matrix is `R_WB` or `R_BW`.
+    /// Which coordinates `q∘v∘q⁻¹` takes to which: its matrix is `R_WB` or `R_BW`.
     pub operator: Direction,
     /// In `q_AC` made of `q_AB` and `q_BC`, by their labels: the side on which `q_AB` stands.
     pub labelled_first: Side,
@@ -187,7 +187,7 @@ pub struct Column {
     pub conjugate: Components,
     /// The inverse of `quaternion`, conjugate / norm²; absent where a double cannot hold it.
     pub inverse: Option<Components>,
-    /// The matrix of `x ↦ q∘x∘q⁻¹`: R(q) for Hamilton, body to world; C(q) for JPL, world to body.
+    /// The matrix of `v ↦ q∘v∘q⁻¹`: R(q) for Hamilton, body to world; C(q) for JPL, world to body.
     pub matrix: [[f64; 3]; 3],
     /// Its inverse, which is its transpose.
     pub inverse_matrix: [[f64; 3]; 3],

@@ -269,7 +269,7 @@ impl Convention {
         ..Self::HAMILTON
     };
 
-    /// Which matrix the quaternion acts with: `q∘x∘q⁻¹` takes the coordinates of `x` in this
+    /// Which matrix the quaternion acts with: `q∘v∘q⁻¹` takes the coordinates of `v` in this
     /// direction, `∘` being the convention's own product.
     ///
     /// Body to world is τ = +1 of the specification (section 1.3), world to body τ = −1.

@@ -53,7 +53,7 @@ impl Rotation {
         }
     }
 
-    /// The coordinates in the world of a vector given in body coordinates: `R(q) x`.
+    /// The coordinates in the world of a vector given in body coordinates: `R(q) v`.
     ///
     /// Within 1.2 roundoffs of the vector's length. Infinite where a double cannot hold it.
     #[must_use]
@@ -61,7 +61,7 @@ impl Rotation {
         self.rotate(vector, Direction::BodyToWorld)
     }
 
-    /// The coordinates in the body of a vector given in world coordinates: `C(q) x`.
+    /// The coordinates in the body of a vector given in world coordinates: `C(q) v`.
     ///
     /// Within 1.2 roundoffs of the vector's length. Infinite where a double cannot hold it.
     #[must_use]

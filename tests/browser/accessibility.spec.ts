@@ -34,7 +34,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
           - radio /JPL/
         - button "Undo" [disabled]
         - button "Redo" [disabled]
-        - textbox "vector x"
+        - textbox "vector v"
         - group "Angles"
         - group "Decimals"
         - list "Examples"

@@ -28,7 +28,7 @@ test("a value is copied as code, and the next click copies that format", async (
   await page.getByRole("button", { name: "Copy C(q) as Python, SciPy", exact: true }).click();
   await expect.poll(() => clipboard(page)).toContain("Rotation.from_matrix([[0.6");
   // A vector has no such format: its numbers are copied, and the button says no more than that.
-  await page.getByRole("button", { name: "Copy C(q) x", exact: true }).click();
+  await page.getByRole("button", { name: "Copy C(q) v", exact: true }).click();
   await expect.poll(() => clipboard(page)).toMatch(/^\[.*\]$/);
 
   await page.reload();
@@ -92,8 +92,8 @@ test("a format that cannot say a value is not offered", async ({ page }) => {
   };
   expect(await offered("Hamilton q")).toHaveLength(12);
   expect(await offered("R(q)")).not.toContain("ROS YAML");
-  expect(await offered("R(q) x")).not.toContain("Python, SciPy");
-  expect(await offered("R(q) x")).toContain("ROS YAML");
+  expect(await offered("R(q) v")).not.toContain("Python, SciPy");
+  expect(await offered("R(q) v")).toContain("ROS YAML");
   expect(await offered("Euler angles in degrees")).toContain("three.js");
   await page.goto("/#read?euler=zxz");
   expect(await offered("Euler angles in degrees")).not.toContain("three.js");

@@ -129,7 +129,7 @@ for (const [name, rows] of matrices) {
 }
 
 test("the matrix of a declared convention is edited as what it is", async ({ page }) => {
-  // Right, active, body to world: q∘x∘q⁻¹ takes world coordinates to those of the body.
+  // Right, active, body to world: q∘v∘q⁻¹ takes world coordinates to those of the body.
   await page.goto("/#read?function=active&quaternion=1+0+0+0");
   for (const [row, cells] of transposed.entries()) {
     for (const [column, number] of cells.entries()) {

@@ -66,7 +66,7 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
   "third-of-a-turn": async (page) => {
     await expect(said(page)).toContainText("a turn by 120.000000° about");
     // (1, 2, 3) on the body axes: x becomes y, y becomes z, z becomes x.
-    await expect(array(page, "R(q) x")).toContainText("[3, 1, 2]");
+    await expect(array(page, "R(q) v")).toContainText("[3, 1, 2]");
   },
   "transposed-matrix": async (page) => {
     expect(await numbersOf(matrix(page, "C(q)"))).toEqual([0.8, 0.6, 0, -0.6, 0.8, 0, 0, 0, 1]);

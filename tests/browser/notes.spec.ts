@@ -229,7 +229,7 @@ test("a problem that can only be guessed offers nothing", async ({ page }) => {
 
 test("the vector is mended too", async ({ page }) => {
   await page.goto("/");
-  const vector = page.getByRole("textbox", { name: "vector x" });
+  const vector = page.getByRole("textbox", { name: "vector v" });
   await vector.fill("0,5 0 0,5");
   await vector.focus();
   await page.keyboard.press("Alt+Enter");

@@ -82,7 +82,7 @@ test("the place of a problem stands right after an emoji", async ({ page }) => {
 test("reloading the address gives the same page", async ({ page }) => {
   await page.goto("/");
   await quaternionField(page).fill("x: 0.1\ny: -0.2\nz: 0.38\nw: 0.92");
-  await page.getByRole("textbox", { name: "vector x" }).fill("1, -2, ½");
+  await page.getByRole("textbox", { name: "vector v" }).fill("1, -2, ½");
   await page.getByRole("radio", { name: /^JPL/ }).check();
   await page.getByRole("radio", { name: "all" }).focus();
   await page.keyboard.press("Space");
@@ -161,8 +161,8 @@ test("the result does not move while a text is typed", async ({ page }) => {
 test("a copy has every digit, whatever is shown", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("/#read?digits=4");
-  await page.getByRole("button", { name: "Copy C(q) x" }).click();
-  await expect(page.getByText("C(q) x copied", { exact: true })).toBeVisible();
+  await page.getByRole("button", { name: "Copy C(q) v" }).click();
+  await expect(page.getByText("C(q) v copied", { exact: true })).toBeVisible();
   await page.getByRole("button", { name: "Copy rotation vector" }).click();
   await expect
     .poll(() => page.evaluate(() => navigator.clipboard.readText()))

@@ -112,22 +112,22 @@ test("active and passive: the vector moves, or the axes do", async ({ page }) =>
   await expect(stage(page)).toBeVisible();
   await expect
     .poll(async () => (await letters()).sort())
-    .toEqual(["90°", "x", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
+    .toEqual(["90°", "v", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
-    /A turn by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector x is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
+    /A turn by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector v is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
   );
   await page.getByRole("radio", { name: "Active" }).focus();
   await page.keyboard.press("Space");
   await expect
     .poll(async () => (await letters()).sort())
-    .toEqual(["90°", "x", "x′", "xW", "yW", "zW"].sort());
+    .toEqual(["90°", "v", "v′", "xW", "yW", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
-    /R\(q\) turns x into x′, and the body with it, by 90° about z.*along x now points to \[0, 1, 0\].*x = \[1, 0, 0\] becomes x′ = \[0, 1, 0\]/,
+    /R\(q\) turns v into v′, and the body with it, by 90° about z.*along x now points to \[0, 1, 0\].*v = \[1, 0, 0\] becomes v′ = \[0, 1, 0\]/,
   );
   // JPL's C(q) of the same attitude turns a vector the other way.
   await page.getByRole("radio", { name: /^JPL/ }).check();
   await expect(stage(page)).toHaveAccessibleDescription(
-    /C\(q\) turns x into x′, and the body with it, by 90° about −z.*along x now points to \[0, −1, 0\].*x = \[1, 0, 0\] becomes x′ = \[0, −1, 0\]/,
+    /C\(q\) turns v into v′, and the body with it, by 90° about −z.*along x now points to \[0, −1, 0\].*v = \[1, 0, 0\] becomes v′ = \[0, −1, 0\]/,
   );
   await expect(page).toHaveURL(/picture=active/);
 });

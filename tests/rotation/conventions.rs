@@ -133,7 +133,7 @@ fn all_32_conventions_store_the_canonical_quaternion_as_the_table_says() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_operator_is_what_its_own_product_does() {
-    // S(q) x = q∘x∘q⁻¹, in the convention's own product, is the matrix that `operator` names.
+    // S(q) v = q∘x∘q⁻¹, in the convention's own product, is the matrix that `operator` names.
     let attitude = Rotation::from_axis_angle([0.3, -0.5, 0.8], 1.1).expect("an axis");
     let vector = [1.25, -0.5, 2.0];
     for convention in all_conventions() {

@@ -26,13 +26,13 @@ fn the_opening_example_is_that_of_the_lecture() {
     assert_eq!(report.jpl.inverse_matrix, report.hamilton.matrix);
     assert_eq!(report.jpl.matrix, report.hamilton.inverse_matrix);
     assert_close(
-        "R(q) x",
+        "R(q) v",
         &report.hamilton.image.expect("finite"),
         &[0.0, 1.0, 0.0],
         ARITHMETIC,
     );
     assert_close(
-        "C(q) x",
+        "C(q) v",
         &report.jpl.image.expect("finite"),
         &[1.0, 0.0, 0.0],
         ARITHMETIC,

@@ -63,7 +63,7 @@ export function columnValues(column: Column, describe: Describe) {
     inverse: column.inverse && reversedValue("q^-1", column.inverse),
     matrix: matrixValue(`${letter}(q)`, matrix, words.direction[rules.operator]),
     inverseMatrix: matrixValue(`${letter}(q)^T`, inverseMatrix, words.direction[back]),
-    image: imageValue(`${letter}(q) x`, column.image, rules.operator),
+    image: imageValue(`${letter}(q) v`, column.image, rules.operator),
     left: matrixValue("L", column.leftProductMatrix, words.leftProduct(order)),
     right: matrixValue("R", column.rightProductMatrix, words.rightProduct(order)),
   };
@@ -87,7 +87,7 @@ export function declaredValues(
   return {
     quaternion: quaternionValue("q", quaternion, convention, describe, matrix),
     matrix: matrixValue(symbol, matrix, words.direction[rules.operator]),
-    image: imageValue(`${symbol} x`, image, rules.operator),
+    image: imageValue(`${symbol} v`, image, rules.operator),
     paired: matrixValue(
       `${paired.form}(q)`,
       paired.rows,

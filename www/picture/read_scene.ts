@@ -68,19 +68,19 @@ export function readScene(
   if (isActive) {
     // The body is turned as the vector is; its outline stays where it was.
     if (turning) parts.push({ lines: visibleEdges(standing, camera, "ghost"), labels: [] });
-    parts.push(vectorArrow(report.vector, "x", "before"));
+    parts.push(vectorArrow(report.vector, "v", "before"));
     if (declared.image && turning) {
       const done = { axis: turning.axis, angleRad: turning.angleRad * progress };
       const after = progress < 1 ? turnedBy(report.vector, done) : declared.image;
       parts.push({ lines: wayOf(report.vector, done), labels: [] });
-      parts.push(vectorArrow(after, "x′", "after"));
+      parts.push(vectorArrow(after, "v′", "after"));
     }
   } else {
     const { handedness } = declared.convention;
     const isPair = picture.poses === "both";
     parts.push(bodyAxes(pose, isPair ? letterOf[handedness] : "B"));
     const inWorld = vectorInWorld(report);
-    if (inWorld) parts.push(vectorArrow(inWorld, "x", "after"));
+    if (inWorld) parts.push(vectorArrow(inWorld, "v", "after"));
     if (isPair && turn.axis) {
       const other = turnAbout(turn.axis, -turn.angleRad);
       parts.push(outline(other, camera, letterOf[otherHand[handedness]]));

@@ -13,7 +13,7 @@ export const symbolOf: Record<Field, string> = {
   quaternion: "q",
   p: "p",
   q: "q",
-  vector: "x",
+  vector: "v",
   from: "from",
   to: "to",
   "world-axes": "world axes",
@@ -50,7 +50,7 @@ export const wordsOf = {
     direction: "body → world",
     reversed: "world → body",
     effect: "Takes coordinates in the body frame to coordinates in the world frame.",
-    vector: "x on the body axes, seen in the world",
+    vector: "v on the body axes, seen in the world",
   },
   jpl: {
     name: "JPL",
@@ -61,7 +61,7 @@ export const wordsOf = {
     direction: "world → body",
     reversed: "body → world",
     effect: "Takes coordinates in the world frame to coordinates in the body frame.",
-    vector: "x on the world axes, seen in the body",
+    vector: "v on the world axes, seen in the body",
   },
 } as const;
 

@@ -28,13 +28,13 @@ export const noTurnWords = "No turn: the body axes B stand on the world axes W."
 /** What the passive picture shows: two frames and one vector. */
 export function passiveWords(turn: string, hasVector: boolean): string {
   const axes = `A turn by ${turn} carries the world axes W onto the body axes B.`;
-  return hasVector ? `${axes} The vector x stays; only its coordinates change.` : axes;
+  return hasVector ? `${axes} The vector v stays; only its coordinates change.` : axes;
 }
 
 /** What the active picture shows: one frame and a vector before and after. */
 export function activeWords(turn: string, matrix: string, hasVector: boolean): string {
   return hasVector
-    ? `The axes stay: ${matrix} turns x into x′, and the body with it, by ${turn}.`
+    ? `The axes stay: ${matrix} turns v into v′, and the body with it, by ${turn}.`
     : `The axes stay: ${matrix} turns the body by ${turn}.`;
 }
 
@@ -54,8 +54,8 @@ export function turnedAxesWords(ends: readonly [string, string, string]): string
 
 export const vectorWords = {
   passive: (world: string, body: string) =>
-    `The vector x is ${world} on the world axes and ${body} on the body axes.`,
-  active: (before: string, after: string) => `The vector x = ${before} becomes x′ = ${after}.`,
+    `The vector v is ${world} on the world axes and ${body} on the body axes.`,
+  active: (before: string, after: string) => `The vector v = ${before} becomes v′ = ${after}.`,
 };
 
 /** The second pose: the same numbers under the other product, in the declared direction. */

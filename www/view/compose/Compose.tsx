@@ -157,7 +157,7 @@ function Road({
       )}
       <ol class="road-steps">
         <li>
-          <span class="road-frame">{words.onAxes(<var>x</var>, start)}</span>
+          <span class="road-frame">{words.onAxes(<var>v</var>, start)}</span>
           <code>{shownArray(report.vector, digits)}</code>
         </li>
         <li>

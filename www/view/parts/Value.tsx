@@ -131,7 +131,7 @@ export function Matrix({
   );
 }
 
-/** A named row with an array: `R(q) x   [0, 1, 0]`. */
+/** A named row with an array: `R(q) v   [0, 1, 0]`. */
 export function ArrayRow({
   name,
   symbol,

@@ -88,10 +88,10 @@ export function ConventionColumn({
       </div>
       <div class="rows">
         <ArrayRow
-          name={`${words.matrix}(q) x`}
+          name={`${words.matrix}(q) v`}
           symbol={
             <>
-              {matrix} <var>x</var>
+              {matrix} <var>v</var>
             </>
           }
           numbers={column.image}

@@ -30,7 +30,7 @@ export function DeclaredCard({
   const values = declaredValues(report, store.engine.describe);
   const act = (
     <>
-      <var>q</var>∘<var>x</var>∘<var>q</var>
+      <var>q</var>∘<var>v</var>∘<var>q</var>
       <sup>−1</sup>
     </>
   );
@@ -54,7 +54,7 @@ export function DeclaredCard({
           />
           <div class="rows">
             <ArrayRow
-              name={words.named("x")}
+              name={words.named("v")}
               symbol={act}
               numbers={declared.image}
               value={values.image}

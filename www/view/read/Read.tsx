@@ -87,7 +87,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
           </span>
         )}
         <span class="read-as-part">
-          <var>x</var> = <code>{shownArray(report.vector, digits)}</code>
+          <var>v</var> = <code>{shownArray(report.vector, digits)}</code>
         </span>
       </p>
       <Notes notes={report.notes} store={store} />

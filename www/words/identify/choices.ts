@@ -13,7 +13,7 @@ export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
   },
   rotate: {
     name: "a rotated vector",
-    asks: "Where does q take the vector x, by the call that rotates?",
+    asks: "Where does q take the vector v, by the call that rotates?",
   },
   matrix: { name: "the matrix of q", asks: "Which nine numbers are its matrix of q?" },
   "from-matrix": {
@@ -112,7 +112,7 @@ export const familySays: Record<Family, string> = {
   hamilton: "Product and rotation are those of Hamilton. The matrix of a * b is R(a) R(b).",
   shuster: "Product and rotation are those of JPL. The matrix of a * b is C(a) C(b).",
   "reversed-product":
-    "JPL rotates by C(q); this library rotates by R(q), as Hamilton does. Its a * b is Hamilton's b * a, as row vectors want it: x\u00a0C(a)\u00a0C(b).",
+    "JPL rotates by C(q); this library rotates by R(q), as Hamilton does. Its a * b is Hamilton's b * a, as row vectors want it: v\u00a0C(a)\u00a0C(b).",
   "transposed-matrix":
     "Hamilton rotates by R(q); this library rotates by C(q), as JPL does. The matrix of a * b is C(b) C(a).",
 };
@@ -122,7 +122,7 @@ export const checks: Record<BehaviourAxis, string> = {
   constructor: "whether all four-number inputs went in through the same constructor",
   array: "whether both were printed by the same call: a formatted text may name or reorder them",
   handedness: "whether a stood left of b, and the sign of what was printed",
-  rotate: "whether the vector was rotated forwards, not back, and x is what went in",
+  rotate: "whether the vector was rotated forwards, not back, and v is what went in",
   matrix: "whether the nine numbers run row by row: choose column by column, or not sure",
   attitude: "which quaternion of the body it is: of body to world, or of world to body",
   perturbation: "on whose axes φ was meant",

@@ -46,7 +46,7 @@ export const columns = (
 
 export const rows = (
   <>
-    Its matrix is the transpose of what rotates: it is for <strong>row vectors</strong>, x&nbsp;M,
+    Its matrix is the transpose of what rotates: it is for <strong>row vectors</strong>, v&nbsp;M,
     or it is the inverse.
   </>
 );

@@ -7,7 +7,7 @@ export const named = (symbol: string) => `${symbol} as declared`;
 export const matrix = "matrix of q as declared";
 export const coordinates = {
   passive: (arrow: string) => `the coordinates of x, ${arrow}`,
-  active: (arrow: string) => `x turned, on the same axes; by the matrix that passively is ${arrow}`,
+  active: (arrow: string) => `v turned, on the same axes; by the matrix that passively is ${arrow}`,
 };
 export const matrixDoes = {
   passive: (arrow: string) => arrow,

@@ -6,7 +6,7 @@ const minus = "−";
 const smallestFixed = 1e-4;
 const largestFixed = 1e6;
 
-/** What is this much smaller than the largest number beside it is rounding, not information. */
+/** What differs by so much less than the largest number beside it is rounding, not information. */
 const roundingNoise = 1e-14;
 
 /**
@@ -21,8 +21,12 @@ function written(number: number, digits: Digits, largest: number): string {
   if (digits === "all") return exact(number);
   const size = Math.abs(number);
   if (Number.isInteger(number) && size < largestFixed) return exact(number);
+  // A cosine of 90 degrees beside a 0 is no other kind of zero.
+  const whole = Math.round(number);
+  if (size < largestFixed && Math.abs(number - whole) < roundingNoise * largest) {
+    return exact(whole + 0);
+  }
   const decimals = Number(digits);
-  if (size < roundingNoise * largest) return (0).toFixed(decimals);
   if (size < smallestFixed || size >= largestFixed) return exponential(number, decimals);
   return number.toFixed(decimals);
 }

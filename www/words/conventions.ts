@@ -49,7 +49,6 @@ export const wordsOf = {
     order: "[w, x, y, z]",
     direction: "body → world",
     reversed: "world → body",
-    effect: "Takes coordinates in the body frame to coordinates in the world frame.",
     vector: "v on the body axes, seen in the world",
   },
   jpl: {
@@ -60,7 +59,6 @@ export const wordsOf = {
     order: "[x, y, z, w]",
     direction: "world → body",
     reversed: "body → world",
-    effect: "Takes coordinates in the world frame to coordinates in the body frame.",
     vector: "v on the world axes, seen in the body",
   },
 } as const;

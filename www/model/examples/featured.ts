@@ -3,7 +3,6 @@ import type { Example } from "./example.ts";
 
 /** Those that stand in the Read view; the others are in the gallery. */
 export const featured = {
-  "turn-about-z": { view: "read", input: {} },
   "jpl-log": {
     view: "read",
     input: { preset: "jpl", quaternion: "-0.0212 0.7031 0.0148 0.7106", vector: "0 0 -9.81" },

@@ -86,7 +86,12 @@ const random = (): Example => ({
   input: { quaternion: randomAttitude(Math.random), vector: "1 2 3" },
 });
 
-export const gallery = { ...featured, ...further };
+const first = { "turn-about-z": { view: "read", input: {} } } as const satisfies Record<
+  string,
+  Example
+>;
+
+export const gallery = { ...first, ...featured, ...further };
 export type ExampleName = keyof typeof gallery | "random";
 export const exampleNames = [...Object.keys(gallery), "random"] as ExampleName[];
 

@@ -27,11 +27,11 @@ export function AskRest({
 }) {
   return (
     <>
-      <div class="ask-row">
+      <div class="ask-line">
         <TextField store={store} field="vector" />
         <NumberSettings store={store} />
+        {examples}
       </div>
-      {examples}
       <MoreAxes store={store} />
       <AskStatus store={store} freshness={freshness}>
         {children}

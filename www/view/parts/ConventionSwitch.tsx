@@ -3,7 +3,7 @@ import { declaredConvention } from "../../model/conventions.ts";
 import type { Preset } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
-import * as words from "../../words/parts/ask.ts";
+import * as words from "../../words/parts/ask.tsx";
 import { fiveWords, nameOf } from "./convention_names.ts";
 import "./convention_switch.css";
 

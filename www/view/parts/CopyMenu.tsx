@@ -5,7 +5,7 @@ import type { Copied } from "../../model/copied.ts";
 import { canSay, type Format, formats } from "../../model/copy_formats.ts";
 import { chooseFormat } from "../../state/copy_format.ts";
 import { copyWords, formatNames } from "../../words/parts/copy.ts";
-import { Popup } from "./Popup.tsx";
+import { focusAnchor, Popup } from "./Popup.tsx";
 import "./copy_menu.css";
 
 export interface MenuProps {
@@ -28,7 +28,7 @@ export function CopyMenu({ of, text, value, chosen, anchor, copy, close }: MenuP
   const choose = (format: Format) => {
     chooseFormat(format);
     // First the focus, so that a browser that asks before copying asks for the page.
-    anchor.focus();
+    focusAnchor(anchor);
     copy(format);
     close();
   };

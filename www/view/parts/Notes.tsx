@@ -37,20 +37,12 @@ export function Notes({ notes, store }: { notes: readonly Note[]; store: Store }
   );
 }
 
-/** The note about the turn, in place of what is said where there is none. */
-export function NoteOfTurn({
-  notes,
-  store,
-  children,
-}: {
-  notes: readonly Note[];
-  store: Store;
-  children: ComponentChildren;
-}) {
+/** The note about the turn, where there is one. */
+export function NoteOfTurn({ notes, store }: { notes: readonly Note[]; store: Store }) {
   const note = notes.find(({ fact }) => ofTheTurn.includes(fact.kind));
-  if (note === undefined) return <>{children}</>;
+  if (note === undefined) return null;
   const { digits, unit } = store.state.value;
-  return <span class="note-beside">{noteWords(note, digits, unit)}</span>;
+  return <p class="note-beside">{noteWords(note, digits, unit)}</p>;
 }
 
 /** A button that mends a text; the first of a field has a key as well. */

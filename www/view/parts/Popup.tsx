@@ -6,7 +6,7 @@ import "./popup.css";
 
 /**
  * It closes when something outside is pressed or gets the focus, when the page scrolls or changes
- * its size, and by Escape, which gives the focus back to the button.
+ * its size, and by Escape, which gives the focus back to the button, or to the first of several.
  */
 export function Popup({
   anchor,
@@ -53,7 +53,7 @@ export function Popup({
       if (!isLeaving) return;
       if (event.key === "Escape") event.preventDefault();
       event.stopPropagation();
-      anchor.focus();
+      focusAnchor(anchor);
       close();
     };
     const outside = ["pointerdown", "focusin", "scroll"];
@@ -73,4 +73,9 @@ export function Popup({
       {children}
     </div>
   );
+}
+
+/** Gives the focus back to the button that opened it, or to the first of the buttons that are the anchor. */
+export function focusAnchor(anchor: HTMLElement) {
+  (anchor.matches("button") ? anchor : anchor.querySelector("button"))?.focus();
 }

@@ -1,10 +1,11 @@
 // A field for text in any form, with the place of a problem marked in the text itself.
+import type { ComponentChildren } from "preact";
 import { useId } from "preact/hooks";
 import { applyFirst, type TextName } from "../../action/fixes.ts";
 import type { Field } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
-import * as words from "../../words/parts/ask.ts";
+import * as words from "../../words/parts/ask.tsx";
 import { MarkedText } from "./MarkedText.tsx";
 import "./text_field.css";
 
@@ -19,6 +20,7 @@ export function TextField({
   field,
   name = field as TextName,
   label = field === "vector" ? words.vector : words.quaternion,
+  children,
 }: {
   store: Store;
   /** As the core names it in a problem. */
@@ -26,6 +28,8 @@ export function TextField({
   /** As the state names it. */
   name?: TextName;
   label?: string;
+  /** What stands at its end. */
+  children?: ComponentChildren;
 }) {
   const id = useId();
   const text = store.state.value[name];
@@ -46,6 +50,7 @@ export function TextField({
           onInput={(typed) => store.set({ [name]: typed })}
           onAltEnter={() => applyFirst(store, field)}
         />
+        {children}
       </div>
     </div>
   );

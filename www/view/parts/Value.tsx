@@ -14,7 +14,7 @@ import {
 } from "../../number/format.ts";
 import { fieldWords } from "../../words/parts/number_field.ts";
 import { beyondDouble, rowByRow } from "../../words/parts/value.ts";
-import { Copy } from "./Copy.tsx";
+import { Copy, CopyLine } from "./Copy.tsx";
 import { NumberField } from "./NumberField.tsx";
 import { type Edited, numberGroup, shownNumbers } from "./number_group.ts";
 import { SideScroll } from "./SideScroll.tsx";
@@ -29,6 +29,7 @@ export function ComponentStrip({
   digits,
   edited,
   value,
+  copied = "beside",
 }: {
   /** For the copy button and the fields. */
   name: string;
@@ -39,10 +40,13 @@ export function ComponentStrip({
   /** Where the components can be edited. */
   edited?: Edited;
   value?: Copied | undefined;
+  /** By a button beside them, or in a line below that shows what is copied. */
+  copied?: "beside" | "below";
 }) {
   const names = namesInOrder(convention);
   const group = edited && numberGroup(edited, components.array);
-  return (
+  const copy = { of: name, text: exactArray(components.array), value };
+  const strip = (
     <div class="strip">
       <var>{symbol}</var>
       <dl class={group && `edited digits-${digits}`}>
@@ -64,7 +68,14 @@ export function ComponentStrip({
           </div>
         ))}
       </dl>
-      <Copy of={name} text={exactArray(components.array)} value={value} />
+      {copied === "beside" && <Copy {...copy} />}
+    </div>
+  );
+  if (copied === "beside") return strip;
+  return (
+    <div class="strip-and-line">
+      {strip}
+      <CopyLine {...copy} />
     </div>
   );
 }
@@ -100,7 +111,6 @@ export function Matrix({
       <figcaption>
         <span class="matrix-symbol">{symbol}</span>
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
-        <Copy of={name} text={exactRows(rows)} value={value} />
       </figcaption>
       <SideScroll name={rowByRow(name)} digits={digits}>
         <table aria-label={name}>
@@ -127,6 +137,7 @@ export function Matrix({
           </tbody>
         </table>
       </SideScroll>
+      <Copy of={name} text={exactRows(rows)} value={value} />
     </figure>
   );
 }

@@ -1,16 +1,13 @@
-// The declared convention where it is neither preset: its own numbers, and what it multiplies.
+// The declared convention where it is neither preset: its own numbers and its matrix.
 import { declaredValues } from "../../copy/values.ts";
 import type { ReadReport } from "../../engine.ts";
-import { operatorOf } from "../../model/conventions.ts";
 import type { Digits } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { arrowOf } from "../../words/conventions.ts";
-import * as rulesWords from "../../words/parts/rules_list.tsx";
 import { asDeclared } from "../../words/read/column.ts";
 import * as words from "../../words/read/declared.tsx";
 import { fiveWords, nameOf } from "../parts/convention_names.ts";
 import { editedComponents, editedMatrix } from "../parts/number_group.ts";
-import { MatrixOf, RulesList } from "../parts/RulesList.tsx";
 import { ArrayRow, ComponentStrip, Matrix } from "../parts/Value.tsx";
 import "../parts/result.css";
 import "./declared.css";
@@ -24,7 +21,7 @@ export function DeclaredCard({
   store: Store;
   digits: Digits;
 }) {
-  const { declared, paired, rules } = report;
+  const { declared, rules } = report;
   const name = nameOf(declared.convention, store.engine);
   const { function: does } = declared.convention;
   const values = declaredValues(report, store.engine.describe);
@@ -51,6 +48,7 @@ export function DeclaredCard({
             value={values.quaternion}
             digits={digits}
             edited={editedComponents(store, "declared-components", declared.convention, "declared")}
+            copied="below"
           />
           <div class="rows">
             <ArrayRow
@@ -72,22 +70,6 @@ export function DeclaredCard({
           digits={digits}
           edited={editedMatrix(store, "declared-matrix", rules.operator)}
         />
-        <Matrix
-          name={words.pairedMatrix}
-          symbol={<MatrixOf form={paired.form} />}
-          caption={words.paired(paired.convention)}
-          rows={paired.rows}
-          value={values.paired}
-          digits={digits}
-          edited={editedMatrix(store, "paired-matrix", operatorOf(paired.convention))}
-        />
-        <RulesList
-          name={rulesWords.multiplies}
-          rules={rules}
-          perturbation={declared.convention.perturbation}
-        >
-          <li>{rulesWords.components(rules.isCanonical)}</li>
-        </RulesList>
       </div>
     </section>
   );

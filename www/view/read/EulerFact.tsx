@@ -3,7 +3,7 @@ import { eulerValue } from "../../copy/values.ts";
 import type { Euler, EulerAxes, EulerFrame, EulerSequence } from "../../engine.ts";
 import { sequenceName } from "../../model/euler_sequence.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
-import { exactArray, fromDegrees, inDegrees, shownAngle, shownArray } from "../../number/format.ts";
+import { exactArray, fromDegrees, inDegrees, shownAngle } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { eulerAxesValues } from "../../values.ts";
 import { gimbalLockWords, nearLockWords } from "../../words/parts/notes.tsx";
@@ -15,7 +15,6 @@ import { numberGroup } from "../parts/number_group.ts";
 import "../parts/result.css";
 import "./euler_fact.css";
 
-const otherUnit: Record<Unit, Unit> = { degrees: "radians", radians: "degrees" };
 const unitWords: Record<Unit, string> = { degrees: "°", radians: "\u00a0rad" };
 
 /** What the angles of the two customary sequences are called; of others, their axes. */
@@ -36,8 +35,6 @@ export function EulerFact({
   digits: Digits;
 }) {
   const { euler: chosen, unit } = store.state.value;
-  const anglesIn = { degrees: euler.anglesDeg, radians: euler.anglesRad };
-  const other = otherUnit[unit];
   const copied = {
     degrees: { of: words.eulerCopied(fieldWords.degrees), text: exactArray(euler.anglesDeg) },
     radians: { of: words.eulerCopied(fieldWords.radians), text: exactArray(euler.anglesRad) },
@@ -53,8 +50,8 @@ export function EulerFact({
   );
   return (
     <div class="fact fact-euler">
-      <h2>{words.eulerAngles}</h2>
-      <div class="euler-choice">
+      <header class="euler-choice">
+        <h2>{words.eulerAngles}</h2>
         <select
           aria-label={words.eulerAxes}
           value={chosen.axes}
@@ -81,7 +78,8 @@ export function EulerFact({
             </option>
           ))}
         </select>
-      </div>
+        <Copy {...copied[unit]} value={eulerValue(euler)} />
+      </header>
       <div class="fact-value">
         <dl class="euler-angles">
           {names.map((name, at) => (
@@ -100,12 +98,7 @@ export function EulerFact({
             </div>
           ))}
         </dl>
-        <Copy {...copied[unit]} value={eulerValue(euler)} />
       </div>
-      <p>
-        <code>{shownArray(anglesIn[other], digits)}</code> {unitWords[other]}
-        <Copy {...copied[other]} value={eulerValue(euler)} />
-      </p>
       <GimbalLock euler={euler} names={names} digits={digits} unit={unit} />
       {euler.freeSequence && <FreeSequence sequence={euler.freeSequence} store={store} />}
     </div>

@@ -33,30 +33,13 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
     rotationVectorRad,
   );
   const values = turnValues(report, store.engine.describe);
-  const tangents = [
-    { ...words.gibbs, text: "gibbs", vector: report.turn.gibbsVector },
-    { ...words.rodrigues, text: "mrp", vector: report.turn.modifiedRodriguesParameters },
-  ];
   const opposite = report.hamilton.quaternion.array.map((number) => 0 - number);
   return (
     <section class="facts" aria-label={words.facts}>
       <div class="fact">
-        <h2>{words.axisAndAngle}</h2>
-        <p class="fact-value">
-          <span class="numbers">
-            <span class="with-unit">
-              <NumberField
-                group={turn}
-                at={0}
-                label={fieldWords.angleIn(fieldWords[unit])}
-                digits={digits}
-                unit={unit}
-              />
-              {unit === "degrees" ? "°" : "\u00a0rad"}
-            </span>
-            <span class="about">{fieldWords.about}</span>
-            <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />
-          </span>
+        <header>
+          <h2>{words.axisAndAngle}</h2>
+          <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>
           {axis !== undefined && (
             <Copy
               of={words.axisAndAngleInRadians}
@@ -64,64 +47,57 @@ export function Facts({ report, store }: { report: ReadReport; store: Store }) {
               value={values.axisAngle}
             />
           )}
+        </header>
+        <p class="fact-value numbers">
+          <span class="with-unit">
+            <NumberField
+              group={turn}
+              at={0}
+              label={fieldWords.angleIn(fieldWords[unit])}
+              digits={digits}
+              unit={unit}
+            />
+            {unit === "degrees" ? "°" : "\u00a0rad"}
+          </span>
+          <span class="about">{fieldWords.about}</span>
+          <VectorFields group={turn} first={1} label={fieldWords.axis} digits={digits} />
         </p>
-        <p>
-          <code>{shownAngle(angle, digits, unit === "degrees" ? "radians" : "degrees")}</code>.{" "}
-          <NoteOfTurn notes={report.notes} store={store}>
-            {words.carries}
-          </NoteOfTurn>
-        </p>
+        <NoteOfTurn notes={report.notes} store={store} />
       </div>
       <div class="fact">
-        <h2>{words.rotationVector}</h2>
-        <p class="fact-value">
-          <span class="numbers">
-            <VectorFields
-              group={rotationVector}
-              first={0}
-              label={fieldWords.rotationVector}
-              digits={digits}
-            />
-          </span>
+        <header>
+          <h2>{words.rotationVector}</h2>
           <Copy
             of={words.rotationVectorCopied}
             text={exactArray(rotationVectorRad)}
             value={values.rotationVector}
           />
+        </header>
+        <p class="fact-value numbers">
+          <VectorFields
+            group={rotationVector}
+            first={0}
+            label={fieldWords.rotationVector}
+            digits={digits}
+          />
         </p>
         <p>{words.rotationVectorNote}</p>
       </div>
-      {tangents.map(({ name, of, vector, text, note }) => (
-        <div key={name} class="fact">
-          <h2>{name}</h2>
-          <p class="fact-value">
-            {vector === undefined ? (
-              words.infinite
-            ) : (
-              <>
-                <code>{shownArray(vector, digits)}</code>
-                <Copy of={of} text={`${text} ${exactArray(vector)}`} />
-              </>
-            )}
-          </p>
-          <p>{note}</p>
-        </div>
-      ))}
       <EulerFact euler={report.euler} store={store} digits={digits} />
       <div class="fact">
-        <h2>{otherSign.heading}</h2>
-        <p class="fact-value">
-          <code>{shownArray(opposite, digits)}</code>
-          <Copy of={words.oppositeCopied} text={exactArray(opposite)} value={values.opposite} />
-        </p>
-        <p>
-          {otherSign.words}
+        <header>
+          <h2>{otherSign.heading}</h2>
           <FixButton
             store={store}
             field="quaternion"
             fix={negates(store, "quaternion", "quaternion")}
           />
+          <Copy of={words.oppositeCopied} text={exactArray(opposite)} value={values.opposite} />
+        </header>
+        <p class="fact-value">
+          <code>{shownArray(opposite, digits)}</code>
         </p>
+        <p>{otherSign.words}</p>
       </div>
     </section>
   );

@@ -1,4 +1,4 @@
-// How the two readings relate: two true sentences that must not be mixed up.
+// How the two readings relate: two true sentences that must not be mixed up; and the order of products.
 import type { ReadReport } from "../../engine.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import { shownArray } from "../../number/format.ts";
@@ -16,31 +16,22 @@ export function Relation({
 }) {
   const { handedness } = report.quaternion.convention;
   const isEq18 = handedness === "left" && report.rules.operator === "body-to-world";
-  const array = (numbers: readonly number[]) => <code>{shownArray(numbers, digits)}</code>;
   return (
     <section class="relation" aria-label={words.title}>
-      <div class="relation-part applies">
-        <h2>{words.sameNumbers}</h2>
-        <p>{words.sameNumbersSays}</p>
-        <dl class="relation-numbers">
-          <dt class="hamilton">{words.hamilton}</dt>
-          <dd>{array(report.hamilton.quaternion.array)}</dd>
-          <dt class="jpl">{words.jpl}</dt>
-          <dd>{array(report.jpl.quaternion.array)}</dd>
-        </dl>
-        <p class="relation-applies">{words.applies(declared)}</p>
-      </div>
-      <div class="relation-part">
-        <h2>{words.sameMatrix}</h2>
-        <p>{words.sameMatrixSays}</p>
-        <dl class="relation-numbers">
-          <dt class="hamilton">{words.hamilton}</dt>
-          <dd>{array(report.hamilton.quaternion.array)}</dd>
-          <dt class="jpl">{words.jplBodyToWorld}</dt>
-          <dd>{array(report.jplWithSameMatrix.array)}</dd>
-        </dl>
-        <p class="relation-applies">{isEq18 ? words.declared : words.appliesNot(declared)}</p>
-      </div>
+      <p>
+        <strong>{words.sameNumbers}</strong> {words.sameNumbersSays}{" "}
+        <span class="relation-applies">{words.applies(declared)}</span>
+      </p>
+      <p>
+        <strong>{words.sameMatrix}</strong>{" "}
+        {words.sameMatrixSays(<code>{shownArray(report.jplWithSameMatrix.array, digits)}</code>)}{" "}
+        <span class="relation-applies">
+          {isEq18 ? words.declared : words.declaredNot}
+        </span>
+      </p>
+      <p class="relation-order">
+        <strong>{words.order}</strong> {words.orderSays}
+      </p>
     </section>
   );
 }

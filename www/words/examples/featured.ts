@@ -5,9 +5,8 @@ export const examplesLabel = "Examples";
 export const moreExamples = "More examples";
 
 export const featuredNames: Record<FeaturedName, string> = {
-  "turn-about-z": "45° about z",
-  "jpl-log": "A JPL filter log",
-  "ros-message": "A ROS message",
+  "jpl-log": "JPL filter log",
+  "ros-message": "ROS message",
   "yaw-pitch-roll": "Yaw, pitch, roll",
-  matrix: "A matrix",
+  matrix: "Matrix",
 };

@@ -13,7 +13,7 @@ export const groupWords: Record<View, string> = {
 
 export const exampleWords: Record<ExampleName, [name: string, teaches: string]> = {
   "turn-about-z": [
-    featuredNames["turn-about-z"],
+    "45° about z",
     "The planar turn of the lecture: R(q) and C(q) are each other's transpose.",
   ],
   "jpl-log": [

@@ -23,6 +23,10 @@ export const copyWords = {
   copied: (of: string, format: Format) =>
     format === "numbers" ? `${of} copied` : `${of} copied as ${formatNames[format]}`,
   notAllowed: (of: string) => `${of} not copied: the browser does not allow it`,
+  /** On the button whose line of code is seen. */
+  as: (format: Format) => `Copy · ${formatNames[format]}`,
+  /** Opens the formats from the button. */
+  formatsKey: "ArrowDown",
   choose: (of: string) => `Formats of ${of}`,
   menu: (of: string) => `Copy ${of} as`,
 };

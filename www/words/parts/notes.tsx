@@ -207,8 +207,7 @@ export const otherSign = {
   heading: "The other sign",
   words: (
     <>
-      −<var>q</var>, as <code class="letters">w x y z</code>: <var>q</var> and −<var>q</var> are the
-      same rotation. The inverse is another one.
+      −<var>q</var> is the same rotation, not its inverse.
     </>
   ),
 };

@@ -4,9 +4,8 @@ import type { EulerFrame } from "../../engine.ts";
 export const facts = "The turn, in every convention the same";
 export const axisAndAngle = "Axis and angle";
 export const axisAndAngleInRadians = "axis and angle in radians";
-export const carries = "Carries the world axes onto the body axes, right-handed.";
 export const rotationVector = "Rotation vector";
-export const rotationVectorNote = "Angle times axis, in radians. No convention changes it.";
+export const rotationVectorNote = "Angle times axis, in radians.";
 export const rotationVectorCopied = "rotation vector";
 /** Vectors along the axis whose length is a tangent. */
 export const gibbs = {
@@ -27,8 +26,8 @@ export const eulerAxes = "Euler axes";
 export const eulerFrame = "Axes of the turns";
 export const eulerCopied = (unit: string) => `Euler angles in ${unit}`;
 export const frames: Record<EulerFrame, string> = {
-  intrinsic: "about the moving axes (intrinsic)",
-  extrinsic: "about the fixed axes (extrinsic)",
+  intrinsic: "intrinsic (moving)",
+  extrinsic: "extrinsic (fixed)",
 };
 /** At gimbal lock: what comes before the button. */
 export const free = "Another order of the axes is not locked here:";

@@ -1,43 +1,50 @@
-// The two sentences about how the readings of Hamilton and JPL relate.
+// The sentences about how the readings of Hamilton and JPL relate, and about the order of products.
+import type { ComponentChildren } from "preact";
 import type { Preset } from "../../model/page_state.ts";
 
 export const title = "How the two readings relate";
-export const sameNumbers = "Same numbers, transposed matrices";
+export const sameNumbers = "Same numbers, transposed matrices.";
 
 export const sameNumbersSays = (
   <>
-    <var>C</var>(<var>q</var>) = <var>R</var>(<var>q</var>)<sup>T</sup>. Hamilton leads from body to
-    world and JPL from world to body, so both say the same attitude:{" "}
-    <strong>nothing is conjugated</strong>, only the order of the numbers changes.
+    Hamilton goes body → world, JPL world → body: one attitude, <strong>nothing is conjugated</strong>
+    , only reordered.
   </>
 );
 
-export const sameMatrix = "Same matrix, conjugate numbers";
+export const sameMatrix = "Same matrix, conjugate numbers.";
 
-export const sameMatrixSays = (
+/** The JPL numbers whose matrix is that of the Hamilton column. */
+export const sameMatrixSays = (numbers: ComponentChildren) => (
   <>
-    If a JPL program states the direction body to world, its matrix <var>C</var> is this{" "}
-    <var>R</var>(<var>q</var>), and its vector part has the <strong>other sign</strong>{" "}
-    <span class="source">(Yoosefian 2021, eq. 18)</span>.
+    Only if the JPL side states body → world (Yoosefian 2021, eq. 18): <var>q</var> = {numbers}.
   </>
 );
-
-export const hamilton = "Hamilton, body → world";
-export const jpl = "JPL, world → body";
-export const jplBodyToWorld = "JPL, body → world";
 
 /** Whether the first applies to what was declared. */
 export const applies = (declared: Preset | undefined) => {
-  if (declared === undefined) return "Applies between two programs that keep these customs.";
+  if (declared === undefined) return "Applies between programs that keep these customs.";
   return declared === "hamilton"
-    ? "Applies to you if the JPL side keeps its custom, world to body."
-    : "Applies to you if the Hamilton side keeps its custom, body to world.";
+    ? "Applies if the JPL side keeps its custom."
+    : "Applies if the Hamilton side keeps its custom.";
 };
 
 export const declared = "This is what you declared.";
 
-/** Why the second is not what was declared. */
-export const appliesNot = (declared: Preset | undefined) =>
-  declared === "jpl"
-    ? "Not what you declared: your JPL numbers lead from world to body."
-    : "Not what you declared: only for a JPL side that states body to world.";
+export const declaredNot = "Not what you declared.";
+
+export const order = "Composition order.";
+
+const label = (frames: string) => (
+  <>
+    <var>q</var>
+    <sub>{frames}</sub>
+  </>
+);
+
+export const orderSays = (
+  <>
+    In <var>p</var>∘<var>q</var>, <var>q</var> acts first, in both. A camera C on the body B:{" "}
+    {label("WB")} ⊙ {label("BC")}, in JPL {label("BC")} ⊗ {label("WB")}.
+  </>
+);

@@ -1,4 +1,5 @@
 // The words of what is asked.
+import type { ComponentChildren } from "preact";
 
 export const input = "Input";
 export const quaternion = "quaternion";
@@ -6,4 +7,5 @@ export const vector = "vector";
 export const meantAs = "The text is meant as";
 export const custom = "Custom";
 export const readAs = "Read as";
+export const quaternionIn = (letters: ComponentChildren) => <>quaternion {letters}</>;
 export const norm = "norm";

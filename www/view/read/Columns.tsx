@@ -1,0 +1,52 @@
+// Hamilton and JPL beside each other; where there is room for one, a switch says which.
+import { useState } from "preact/hooks";
+import type { ReadReport } from "../../engine.ts";
+import type { Digits, Preset } from "../../model/page_state.ts";
+import type { Store } from "../../state/store.ts";
+import { wordsOf } from "../../words/conventions.ts";
+import * as words from "../../words/read/column.ts";
+import { Choice } from "../parts/Choice.tsx";
+import { ConventionColumn } from "./Column.tsx";
+
+const presets = ["hamilton", "jpl"] as const satisfies readonly Preset[];
+
+export function Columns({
+  report,
+  store,
+  declared,
+  digits,
+}: {
+  report: ReadReport;
+  store: Store;
+  declared: Preset | undefined;
+  digits: Digits;
+}) {
+  // Who declares another convention sees that one, until he asks for the other again.
+  const [asked, ask] = useState<{ shown: Preset; declared: Preset | undefined }>();
+  const shown = asked && asked.declared === declared ? asked.shown : (declared ?? "hamilton");
+  return (
+    <div class={`columns columns-of-${shown}`}>
+      <Choice
+        kind="choice"
+        group="column"
+        legend={words.shownColumn}
+        values={presets.map((preset) => ({
+          value: preset,
+          words: <span>{wordsOf[preset].name}</span>,
+        }))}
+        chosen={shown}
+        choose={(preset) => ask({ shown: preset, declared })}
+      />
+      {presets.map((preset) => (
+        <ConventionColumn
+          key={preset}
+          store={store}
+          preset={preset}
+          declared={declared}
+          column={report[preset]}
+          digits={digits}
+        />
+      ))}
+    </div>
+  );
+}

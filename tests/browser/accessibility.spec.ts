@@ -53,10 +53,10 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
         - figure:
           - button "Copy R(q)"
           - region "R(q), row by row":
-            - table "R(q)":
+            - grid "R(q)":
               - rowgroup:
                 - row "0.707107 −0.707107 0":
-                  - cell "0.707107":
+                  - gridcell "0.707107":
                     - textbox "R(q), row 1, column 1": "0.707107"
       - region "JPL":
         - heading "JPL" [level=2]

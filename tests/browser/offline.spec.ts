@@ -86,7 +86,7 @@ test("after one visit the whole page works without a network", async ({ page, co
   for (const address of ["./index.html", "./?from=home#compose"]) {
     const another = await context.newPage();
     await another.goto(address);
-    await expect(another.getByRole("table").first()).toBeVisible();
+    await expect(another.locator("table").first()).toBeVisible();
     await another.close();
   }
   const worker = readFileSync(join(site.folder, "service_worker.js"), "utf8");

@@ -206,7 +206,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     test(`no accessibility violation: ${colorScheme}, ${address}`, async ({ page }) => {
       await page.emulateMedia({ colorScheme });
       await page.goto(address);
-      await expect(page.getByRole("table").first()).toBeVisible();
+      await expect(page.locator("table").first()).toBeVisible();
       expect(await violationsOf(page)).toEqual([]);
     });
   }
@@ -219,7 +219,7 @@ for (const width of [320, 768, 1280]) {
     test(`no sideways scroll at ${width} px: ${address}`, async ({ page }) => {
       await page.setViewportSize({ width, height: 800 });
       await page.goto(address);
-      await expect(page.getByRole("table").first()).toBeVisible();
+      await expect(page.locator("table").first()).toBeVisible();
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       expect(overflow).toBeLessThanOrEqual(0);
     });

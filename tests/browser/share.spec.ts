@@ -65,7 +65,7 @@ test("a text with a problem is not cited, and other views share their link", asy
   await page.keyboard.press("Escape");
   await page.goto("/#libraries?library=openvins");
   // The record is scrolled to when it comes, which closes what is open.
-  await expect(page.getByRole("table").first()).toBeVisible();
+  await expect(page.locator("table").first()).toBeVisible();
   await expect(page.getByRole("article", { name: /OpenVINS/ })).toBeInViewport();
   expect(await shared(page, "Link")).toMatch(/#libraries\?v=1&library=openvins$/);
   await expect(page.getByRole("button", { name: "Copy: Cite this case" })).toHaveCount(0);

@@ -37,8 +37,10 @@ export async function numbersOf(table: Locator): Promise<number[]> {
 
 export const numberOf = (text: string) => Number(text.trim().replace(minus, "-"));
 
+/** A matrix to be read is a table, one to be edited a grid. */
 export function matrix(page: Page, name: string) {
-  return page.getByRole("table", { name, exact: true });
+  const named = { name, exact: true };
+  return page.getByRole("table", named).or(page.getByRole("grid", named));
 }
 
 export const quaternionField = (page: Page) => page.getByRole("textbox", { name: "quaternion q" });

@@ -5,6 +5,7 @@ import { shortcutChoices, themes } from "../../model/settings.ts";
 import type { ShortcutName } from "../../model/shortcut_name.ts";
 import { chooseShortcuts, chooseTheme, shortcuts, theme } from "../../state/settings.ts";
 import {
+  numberKeys,
   orWord,
   remembered,
   shortcutWords,
@@ -25,22 +26,19 @@ const everywhere: readonly { name: ShortcutName; keys: readonly string[] }[] = [
 export function Help() {
   return (
     <>
-      <dl class="shortcuts">
-        {[...table, ...everywhere].map(({ name, keys }) => (
-          <div key={name}>
-            <dt>
-              {keys.map((sequence, at) => (
-                <Fragment key={sequence}>
-                  {at > 0 && <span class="shortcut-or"> {orWord} </span>}
-                  <Keys sequence={sequence} />
-                </Fragment>
-              ))}
-            </dt>
-            <dd>{shortcutWords[name]}</dd>
-          </div>
-        ))}
-      </dl>
+      <KeyList
+        rows={[...table, ...everywhere].map(({ name, keys }) => ({
+          keys,
+          does: shortcutWords[name],
+        }))}
+      />
       <p>{whereTheyAct}</p>
+      {numberKeys.map(({ heading, rows }) => (
+        <Fragment key={heading}>
+          <h3>{heading}</h3>
+          <KeyList rows={rows} />
+        </Fragment>
+      ))}
       <div class="help-settings">
         <SettingChoice
           name="shortcuts"
@@ -61,6 +59,26 @@ export function Help() {
       </div>
       <p>{remembered}</p>
     </>
+  );
+}
+
+function KeyList({ rows }: { rows: readonly { keys: readonly string[]; does: string }[] }) {
+  return (
+    <dl class="shortcuts">
+      {rows.map(({ keys, does }) => (
+        <div key={does}>
+          <dt>
+            {keys.map((sequence, at) => (
+              <Fragment key={sequence}>
+                {at > 0 && <span class="shortcut-or"> {orWord} </span>}
+                <Keys sequence={sequence} />
+              </Fragment>
+            ))}
+          </dt>
+          <dd>{does}</dd>
+        </div>
+      ))}
+    </dl>
   );
 }
 

@@ -13,13 +13,19 @@ import {
   numberOf,
   partOf,
   plainNumber,
+  rowsOf,
   shownNumbers,
+  stopAt,
+  stopOf,
   write,
 } from "./number_group.ts";
+import { placeAfter } from "./roving.ts";
 import "./number_field.css";
 
 /** What the arrow keys add. */
 const steps = { degrees: 1, radians: 0.01, none: 0.01 };
+
+type FieldKey = KeyboardEvent & { currentTarget: HTMLInputElement };
 
 export function NumberField({
   group,
@@ -53,15 +59,50 @@ export function NumberField({
   useLayoutEffect(() => {
     if (isEdited && input.current) keepWithin(input.current);
   });
+  useLayoutEffect(() => {
+    const field = input.current;
+    if (isEdited || field === null) return;
+    field.style.left = "0";
+    if (field === document.activeElement) field.select();
+  }, [isEdited]);
 
-  const begin = (field: HTMLInputElement) => {
+  const remember = () => {
     const { quaternion, matrix } = store.state.peek();
     before.current = { quaternion, matrix };
     setEdited(true);
+  };
+  const begin = (field: HTMLInputElement) => {
+    if (field !== document.activeElement) field.focus();
+    remember();
     select(field, partOf(group, at));
   };
+  const end = () => {
+    setEdited(false);
+    store.step();
+  };
 
-  const onKeyDown = (event: KeyboardEvent & { currentTarget: HTMLInputElement }) => {
+  /** The number has the focus and is not edited: what is typed takes its place. */
+  const onKeyOfStop = (event: FieldKey) => {
+    const field = event.currentTarget;
+    const next = placeAfter(event, at, rowsOf(group));
+    if (next !== undefined) {
+      event.preventDefault();
+      fieldsOf(group)[next]?.focus();
+    } else if (event.key === "F2" || (event.key === "Enter" && !event.altKey)) {
+      event.preventDefault();
+      begin(field);
+    } else if (event.key === "Enter") {
+      event.preventDefault();
+      applyFirst(store, "quaternion");
+    } else if (event.key === " ") {
+      event.preventDefault();
+    } else {
+      // Undo moves the cursor into it.
+      field.select();
+    }
+  };
+
+  const onKeyOfEdited = (event: FieldKey) => {
     const field = event.currentTarget;
     const direction = directionOf(event.key);
     if (direction !== undefined && !event.ctrlKey && !event.metaKey) {
@@ -76,15 +117,14 @@ export function NumberField({
       if (applyFirst(store, "quaternion")) begin(field);
     } else if (event.key === "Enter" && !event.isComposing) {
       event.preventDefault();
-      leave(group);
-      begin(field);
+      end();
     } else if (event.key === "Escape" && before.current !== undefined) {
-      if (store.state.peek().quaternion === before.current.quaternion) return;
       event.preventDefault();
       const parts = before.current;
-      inPlace(field, () => store.set(parts, { as: `editing ${group.id} ${at}` }));
-      store.step();
-      field.select();
+      if (store.state.peek().quaternion !== parts.quaternion) {
+        inPlace(field, () => store.set(parts, { as: `editing ${group.id} ${at}` }));
+      }
+      end();
     }
   };
 
@@ -95,7 +135,9 @@ export function NumberField({
       <input
         ref={input}
         type="text"
-        class={`number ${isExpression ? "expression" : ""}`}
+        class={`number ${isExpression ? "expression" : ""} ${isEdited ? "editing" : ""}`}
+        // A group is one stop of the Tab key.
+        tabIndex={stopOf(group) === at ? 0 : -1}
         aria-label={label}
         value={value}
         style={{ "--exact": `calc(${value.length + 1}ch + 8px)` }}
@@ -104,21 +146,34 @@ export function NumberField({
         autocapitalize="off"
         aria-invalid={isWrong}
         aria-describedby={isWrong ? "problem-quaternion" : undefined}
-        // The press that brings the focus leaves the whole number selected.
+        // A press edits at once, with the whole number selected; a second one places the cursor.
         onMouseDown={(event) => {
-          if (event.button !== 0 || event.currentTarget === document.activeElement) return;
+          if (event.button !== 0 || isEdited) return;
           event.preventDefault();
-          event.currentTarget.focus();
+          begin(event.currentTarget);
         }}
-        onFocus={(event) => begin(event.currentTarget)}
-        onInput={({ currentTarget: field }) => inPlace(field, () => write(group, at, field.value))}
-        onKeyDown={onKeyDown}
+        onFocus={(event) => {
+          stopAt(group, at);
+          if (!isEdited) event.currentTarget.select();
+        }}
+        onInput={({ currentTarget: field }) => {
+          if (!isEdited) remember();
+          inPlace(field, () => write(group, at, field.value));
+        }}
+        onKeyDown={isEdited ? onKeyOfEdited : onKeyOfStop}
+        // What is read is rounded, what is copied is not.
+        onCopy={(event) => {
+          if (isEdited) return;
+          event.preventDefault();
+          event.clipboardData?.setData("text/plain", partOf(group, at));
+        }}
+        onCut={(event) => {
+          if (!isEdited) begin(event.currentTarget);
+        }}
         onBlur={(event) => {
           // The window lost the focus, and the field keeps it within the window.
           if (event.currentTarget === document.activeElement) return;
-          setEdited(false);
-          event.currentTarget.style.left = "0";
-          store.step();
+          end();
           const next = event.relatedTarget;
           if (!(next instanceof HTMLInputElement && next.dataset["group"] === group.id))
             leave(group);
@@ -138,6 +193,10 @@ export function NumberField({
       )}
     </>
   );
+}
+
+function fieldsOf({ id }: NumberGroup) {
+  return document.querySelectorAll<HTMLInputElement>(`[data-group="${id}"]`);
 }
 
 function select(field: HTMLInputElement, text: string) {

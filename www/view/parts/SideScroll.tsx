@@ -40,7 +40,7 @@ export function SideScroll({
         class={`matrix-scroll digits-${digits}`}
         aria-label={name}
         onScroll={look}
-        // Where it scrolls the arrow keys reach all of it, or the Tab key does if it has fields.
+        // Where it scrolls the arrow keys reach all of it, from field to field if it has some.
         {...(isReached ? {} : { tabIndex: 0 })}
       >
         {children}

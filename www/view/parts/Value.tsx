@@ -113,7 +113,8 @@ export function Matrix({
         {caption !== undefined && <span class="matrix-caption">{caption}</span>}
       </figcaption>
       <SideScroll name={rowByRow(name)} digits={digits}>
-        <table aria-label={name}>
+        {/* A table whose cells the arrow keys reach is a grid. */}
+        <table aria-label={name} {...(group && { role: "grid" })}>
           <tbody>
             {cells.map((row, at) => (
               <tr key={at}>

@@ -1,10 +1,12 @@
 // Numbers of the result that are edited together: a quaternion, a matrix, the angles of a sequence.
+import { signal } from "@preact/signals";
 import type { Convention, Direction, Problem, Span } from "../../engine.ts";
 import { namesOf } from "../../model/component_order.ts";
 import { declaredConvention } from "../../model/conventions.ts";
 import { type Description, editedState, editedText } from "../../number/edited_text.ts";
 import { exact } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
+import type { Rows } from "./roving.ts";
 
 /** What a group of fields edits. */
 export interface Edited {
@@ -37,6 +39,22 @@ export function numberGroup(edited: Edited, numbers: readonly number[]): NumberG
 
 function touches({ span }: Problem, place: Span | undefined): boolean {
   return place !== undefined && span.start < place.end && place.start < span.end;
+}
+
+/** How the numbers stand: a matrix has rows of three, all others are one row. */
+export function rowsOf({ describe, numbers: { length: count } }: NumberGroup): Rows {
+  return { count, columns: describe().kind === "matrix" ? 3 : count };
+}
+
+/** The number of each group that the Tab key reaches: the last one that had the focus. */
+const stops = signal<Readonly<Record<string, number>>>({});
+
+export function stopOf({ id }: NumberGroup): number {
+  return stops.value[id] ?? 0;
+}
+
+export function stopAt({ id }: NumberGroup, at: number) {
+  stops.value = { ...stops.peek(), [id]: at };
 }
 
 /** What stands in a field while it is edited: every digit. */

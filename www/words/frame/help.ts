@@ -33,6 +33,33 @@ export const shortcutWords: Record<ShortcutName, string> = {
   mend: "Mend the text of the field as the first button says",
 };
 
+/** What the keys do in the numbers of the result, and in one that is edited. */
+export const numberKeys = [
+  {
+    heading: "On the numbers of the result",
+    rows: [
+      { keys: ["Arrow\u00a0keys"], does: "From number to number" },
+      {
+        keys: ["Home", "End"],
+        does: "To the ends of the row; with Ctrl, to the first and the last",
+      },
+      { keys: ["Enter", "F2"], does: "Edit the number; what is typed replaces it" },
+    ],
+  },
+  {
+    heading: "In a number that is edited",
+    rows: [
+      {
+        keys: ["↑", "↓"],
+        does: "Step it by 0.01 or 1°; with Shift by 10 times that, with Alt by a tenth",
+      },
+      { keys: ["Enter"], does: "Keep the edit; the arrow keys lead on" },
+      { keys: ["Escape"], does: "Take the edit back" },
+      { keys: ["Tab"], does: "Keep the edit and leave these numbers" },
+    ],
+  },
+] as const;
+
 export const orWord = "or";
 export const thenWord = "then";
 

@@ -22,8 +22,6 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
       - navigation "Views":
         - link "Read"
         - link "Compose"
-        - link "Translate"
-        - link "Identify"
         - link "Libraries"
       - button "Share"
     - main:

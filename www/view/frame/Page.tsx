@@ -1,8 +1,7 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
 import { useEffect } from "preact/hooks";
-import { toFragment } from "../../address/fragment.ts";
-import { type Digits, type Unit, type View, views } from "../../model/page_state.ts";
+import type { Digits, Unit, View } from "../../model/page_state.ts";
 import { shown, shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
@@ -13,9 +12,10 @@ import { namesInOrder } from "../parts/Value.tsx";
 import { Read } from "../read/Read.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { Lazy } from "./Lazy.tsx";
-import { isLazy, load, loadingOf } from "./lazy_views.ts";
+import { isLazy, loadingOf } from "./lazy_views.ts";
 import { Overlay } from "./Overlay.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
+import { Parts, Tabs } from "./Tabs.tsx";
 import { Tools } from "./Tools.tsx";
 import "./page.css";
 
@@ -37,24 +37,13 @@ export function Page({ store }: { store: Store }) {
       <header class="masthead">
         <h1 class="wordmark">{words.name}</h1>
         <p class="tagline">{words.tagline}</p>
-        <nav class="views" aria-label={words.views}>
-          {views.map((view) => (
-            <a
-              key={view}
-              href={`#${toFragment({ ...state, view })}`}
-              aria-current={state.view === view ? "page" : undefined}
-              // A pointer on the way to a view has a moment in which it can be loaded.
-              onPointerEnter={() => isLazy(view) && load(view, store)}
-            >
-              {words.viewNames[view]}
-            </a>
-          ))}
-        </nav>
+        <Tabs store={store} />
         <Tools>
           <Share store={store} />
         </Tools>
       </header>
       <main>
+        <Parts store={store} />
         <NewerLink store={store} />
         {failure !== undefined && (
           <p class="failure" role="alert">

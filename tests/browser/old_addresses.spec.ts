@@ -4,9 +4,8 @@ import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
 import { analyze, initSync } from "../../pkg/quatlas.js";
 import { fromFragment } from "../../www/address/fragment.ts";
-import type { Request } from "../../www/engine.ts";
-import { declaredConvention } from "../../www/model/conventions.ts";
 import type { PageState } from "../../www/model/page_state.ts";
+import { requestOf } from "../../www/state/store.ts";
 import { expect, test } from "./support/page.ts";
 
 const root = new URL("../../", import.meta.url);
@@ -95,26 +94,6 @@ function answerOf(state: PageState): Record<string, unknown> {
       };
     default:
       return {};
-  }
-}
-
-function requestOf(state: PageState): Request | undefined {
-  const { view, vector, matrix, euler, from, to, worldAxes, bodyAxes, language } = state;
-  const convention = declaredConvention(state);
-  switch (view) {
-    case "read":
-      return { view, quaternion: state.quaternion, vector, convention, matrix, euler };
-    case "compose":
-      return { view, p: state.p, q: state.q, vector, convention, matrix };
-    case "translate":
-      return { view, quaternion: state.translated, from, to, worldAxes, bodyAxes };
-    case "identify": {
-      const unavailable = [...state.unavailable];
-      const observations = [...state.observations];
-      return { view, observations, name: state.libraryName, language, unavailable };
-    }
-    default:
-      return undefined;
   }
 }
 

@@ -164,7 +164,8 @@ function answer(state: PageState, engine: Engine): Answer {
   return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
 }
 
-function requestOf(state: PageState): Request | undefined {
+/** What a state asks the core; nothing where its view asks nothing. */
+export function requestOf(state: PageState): Request | undefined {
   const { view, quaternion, p, q, vector, matrix, euler } = state;
   const convention = declaredConvention(state);
   switch (view) {

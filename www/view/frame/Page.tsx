@@ -1,6 +1,5 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-import { useEffect } from "preact/hooks";
 import type { Digits, Unit, View } from "../../model/page_state.ts";
 import { shown, shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
@@ -17,6 +16,7 @@ import { Overlay } from "./Overlay.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
 import { Parts, Tabs } from "./Tabs.tsx";
 import { Tools } from "./Tools.tsx";
+import { useCaseTitle } from "./title.ts";
 import "./page.css";
 
 /** The views of the first load. */
@@ -25,10 +25,7 @@ const firstViews = { read: Read, compose: Compose };
 export function Page({ store }: { store: Store }) {
   const state = store.state.value;
   const failure = store.failure.value;
-  const title = words.title(words.viewNames[state.view]);
-  useEffect(() => {
-    document.title = title;
-  }, [title]);
+  useCaseTitle(store);
   return (
     <>
       <button type="button" class="skip" onClick={() => focusResult()}>

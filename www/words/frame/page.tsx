@@ -3,7 +3,6 @@ import type { View } from "../../model/page_state.ts";
 import type { Tab } from "../../model/tabs.ts";
 
 export const name = "quatlas";
-export const title = (view: string) => `${name} · ${view}`;
 export const skip = "Go to the result";
 export const tagline = "One rotation, every convention.";
 export const tabsLabel = "Views";

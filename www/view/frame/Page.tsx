@@ -1,6 +1,7 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
 import type { Digits, Unit, View } from "../../model/page_state.ts";
+import { repositoryLinks } from "../../model/repository.ts";
 import { shown, shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
@@ -49,14 +50,29 @@ export function Page({ store }: { store: Store }) {
         )}
         <Shown key={state.view} view={state.view} store={store} />
       </main>
-      <footer class="colophon">
-        <p>
-          {words.colophon} <Version /> <a href="./licences.txt">{words.licences}</a>
-        </p>
-      </footer>
+      <Colophon />
       <Announcements result={spoken(store)} of={state} />
       <Overlay store={store} />
     </>
+  );
+}
+
+/** Set where the page is built. */
+declare const repositoryAddress: string | undefined;
+
+function Colophon() {
+  return (
+    <footer class="colophon">
+      <p>
+        {words.colophon} <Version />{" "}
+        {repositoryLinks(repositoryAddress).map(({ name, href }) => (
+          <>
+            <a href={href}>{words.repositoryLinks[name]}</a>{" "}
+          </>
+        ))}
+        <a href="./licences.txt">{words.licences}</a>
+      </p>
+    </footer>
   );
 }
 

@@ -1,5 +1,6 @@
 // The words of the frame of the page, and what is said aloud of a result.
 import type { View } from "../../model/page_state.ts";
+import type { RepositoryLink } from "../../model/repository.ts";
 import type { Tab } from "../../model/tabs.ts";
 
 export const name = "quatlas";
@@ -32,6 +33,10 @@ export const colophon =
   "Computed in your browser; nothing you type is sent anywhere. The address of the page holds what you typed: share it as a link.";
 
 export const licences = "Licences";
+export const repositoryLinks: Record<RepositoryLink, string> = {
+  source: "Source",
+  report: "Report a problem",
+};
 
 export const spokenProblem = (
   symbol: string,

@@ -1,4 +1,5 @@
 import { defineConfig, type Plugin } from "vite";
+import { home } from "./tasks/home.ts";
 import { pageLicences } from "./tasks/page_licences.ts";
 import { precache } from "./tasks/precache.ts";
 
@@ -6,7 +7,7 @@ export default defineConfig({
   root: import.meta.dirname,
   // Relative, so that the page can be served from any folder.
   base: "./",
-  plugins: [withoutPolicy(), pageLicences(), precache()],
+  plugins: [withoutPolicy(), home(), pageLicences(), precache()],
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,

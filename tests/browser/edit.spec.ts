@@ -8,6 +8,7 @@ import {
   numbersOf,
   quaternionField,
   sidewaysScroll,
+  tab,
   tabTo,
   test,
   textsOf,
@@ -424,7 +425,7 @@ test("the buttons of undo and redo tell what they can", async ({ page }) => {
   await page.keyboard.press("Space");
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
   // What is not of this view stays.
-  await page.getByRole("link", { name: "Translate" }).click();
+  await tab(page, "Libraries").click();
   await expect(page.getByRole("button", { name: "Undo" })).toHaveAttribute("aria-disabled", "true");
 });
 

@@ -49,7 +49,7 @@ test("opens on a library with JPL's product that is not JPL", async ({ page }) =
   await expect(page.getByRole("region", { name: "Between Hamilton and JPL" })).toContainText(
     "Not JPL: Shuster product, but R(q).",
   );
-  await expect(page.getByRole("link", { name: "DirectXMath" })).toHaveAttribute(
+  await expect(page.getByRole("link", { name: "DirectXMath", exact: true })).toHaveAttribute(
     "href",
     /^#libraries\?.*library=directxmath/,
   );

@@ -7,7 +7,9 @@ import {
   expect,
   matrix,
   numbersOf,
+  part,
   quaternionField,
+  tab,
   violationsOf,
 } from "./support/page.ts";
 import { openSite, type Site } from "./support/site.ts";
@@ -74,12 +76,15 @@ test("after one visit the whole page works without a network", async ({ page, co
   await page.reload();
   await quaternionField(page).fill("1/2 + i/2 + j/2 + k/2");
   await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
-  for (const name of ["Compose", "Translate", "Identify", "Libraries", "Read"]) {
-    await page.getByRole("link", { name, exact: true }).click();
-    await expect(page.getByRole("link", { name, exact: true })).toHaveAttribute(
-      "aria-current",
-      "page",
-    );
+  for (const link of [
+    tab(page, "Compose"),
+    tab(page, "Libraries"),
+    part(page, "Identify"),
+    part(page, "All libraries"),
+    tab(page, "Read"),
+  ]) {
+    await link.click();
+    await expect(link).toHaveAttribute("aria-current", "page");
     await expect(page.locator("main").locator("input, textarea").first()).toBeVisible();
   }
   // However it is reached; and every file of the build is there.

@@ -26,7 +26,7 @@ test("a case of Read is cited in a sentence with its link", async ({ page, baseU
   );
   expect(await shared(page, "Link")).toBe(`${baseURL}#read?v=1`);
   expect(await shared(page, "Link as Markdown")).toBe(
-    `[quatlas: cos(pi/8) + sin(pi/8) k](${baseURL}#read?v=1)`,
+    `[45° about z · Hamilton 0.9239 0 0 0.3827 · quatlas](${baseURL}#read?v=1)`,
   );
 });
 
@@ -52,9 +52,9 @@ test("a product and a translation are cited too", async ({ page }) => {
 });
 
 test("Markdown is not broken by what was typed", async ({ page }) => {
-  await page.goto("/#read?quaternion=%5B1,+0,+0%5D%0A%281%29");
+  await page.goto("/#identify?name=%5B1,+0,+0%5D%0A%281%29");
   const markdown = await shared(page, "Link as Markdown");
-  expect(markdown).toMatch(/^\[quatlas: \\\[1, 0, 0\\\] \(1\)\]\(http[^()\s]*\)$/);
+  expect(markdown).toMatch(/^\[\\\[1, 0, 0\\\] \(1\) · Identify · quatlas\]\(http[^()\s]*\)$/);
 });
 
 test("a text with a problem is not cited, and other views share their link", async ({ page }) => {

@@ -1,11 +1,12 @@
 // The keys that do something by themselves. Help lists this table, so it is always true.
-import { digitChoices, type Preset, unitChoices, type View, views } from "../model/page_state.ts";
+import { digitChoices, type Preset, unitChoices, type View } from "../model/page_state.ts";
 import type { ShortcutName } from "../model/shortcut_name.ts";
+import { partsOf, type Tab, tabNames } from "../model/tabs.ts";
 import { announce } from "../state/announcement.ts";
 import { showOverlay } from "../state/overlay.ts";
 import { chooseDigits, chooseTheme, chooseUnit, nextTheme, shortcuts } from "../state/settings.ts";
 import type { Store } from "../state/store.ts";
-import { viewNames } from "../words/frame/page.tsx";
+import { tabWords, viewNames } from "../words/frame/page.tsx";
 import {
   anglesLabel,
   decimalsLabel,
@@ -24,15 +25,40 @@ interface Shortcut {
   act: (store: Store) => string | undefined;
 }
 
-const goTo = (view: View, at: number): Shortcut => ({
+/** To a tab by its place, and to a view by its first letter. */
+function goTo(tab: Tab, at: number): Shortcut[] {
+  const place = String(at + 1);
+  const [first, ...others] = partsOf(tab);
+  if (first === undefined) return [];
+  if (others.length === 0) return [goToView(first, place)];
+  const toTab: Shortcut = {
+    name: `tab ${tab}`,
+    keys: [place],
+    act: () => {
+      press(`.views a[data-tab="${tab}"]`);
+      return tabWords[tab];
+    },
+  };
+  return [toTab, ...partsOf(tab).map((view) => goToView(view))];
+}
+
+const goToView = (view: View, ...otherKeys: string[]): Shortcut => ({
   name: view,
-  keys: [`g ${view.charAt(0)}`, String(at + 1)],
-  // As the link does it, so that going back returns.
-  act: () => {
-    press(`.views a[href^="#${view}"]`);
+  keys: [`g ${view.charAt(0)}`, ...otherKeys],
+  act: (store) => {
+    follow(store.linkTo({ view }));
     return viewNames[view];
   },
 });
+
+/** As a link does it, so that going back returns; not every view has one that is shown. */
+function follow(address: string) {
+  const link = document.createElement("a");
+  link.href = address;
+  document.body.append(link);
+  link.click();
+  link.remove();
+}
 
 const declare = (preset: Preset, key: string): Shortcut => ({
   name: preset,
@@ -54,7 +80,7 @@ const copyButtons =
   ".column:has(.badge) .copy-line button, .road .strip button, .translation-end + .translation-end .strip button";
 
 export const table: readonly Shortcut[] = [
-  ...views.map(goTo),
+  ...tabNames.flatMap(goTo),
   {
     name: "field",
     keys: ["/"],

@@ -15,14 +15,14 @@ const significantDigits = 5;
 /** What is this much smaller than the largest number beside it is rounding, not information. */
 const roundingNoise = 1e-14;
 
-function cited(number: number, largest = 0): string {
+export function cited(number: number, largest = 0, digits = significantDigits): string {
   const size = Math.abs(number) < roundingNoise * largest ? 0 : number;
-  return String(Number(size.toPrecision(significantDigits)));
+  return String(Number(size.toPrecision(digits)));
 }
 
-function tuple(numbers: readonly number[]): string {
+function tuple(numbers: readonly number[], digits = significantDigits): string {
   const largest = Math.max(...numbers.map(Math.abs));
-  return `(${numbers.map((number) => cited(number, largest)).join(", ")})`;
+  return `(${numbers.map((number) => cited(number, largest, digits)).join(", ")})`;
 }
 
 function quaternion({ norm }: Components, numbers: readonly number[]): string {
@@ -30,11 +30,16 @@ function quaternion({ norm }: Components, numbers: readonly number[]): string {
   return words.quaternion(tuple(numbers), norm === undefined ? undefined : cited(norm));
 }
 
-function turnOf({ axis, angleDeg }: Turn): string {
+export function turnOf(
+  { axis, angleDeg }: Turn,
+  digits = significantDigits,
+  axisDigits = digits,
+): string {
   if (axis === undefined) return words.noTurn;
   const along = axis.findIndex((number) => Math.abs(number) === 1);
-  const name = along < 0 ? tuple(axis) : `${(axis[along] ?? 0) < 0 ? "-" : ""}${"xyz"[along]}`;
-  return words.turn(`${cited(angleDeg)}°`, name);
+  const name =
+    along < 0 ? tuple(axis, axisDigits) : `${(axis[along] ?? 0) < 0 ? "-" : ""}${"xyz"[along]}`;
+  return words.turn(`${cited(angleDeg, 0, digits)}°`, name);
 }
 
 export function citeRead({ declared, turn }: ReadReport): string {
@@ -42,7 +47,7 @@ export function citeRead({ declared, turn }: ReadReport): string {
   return words.read(quaternion(q, q.array), words.convention(convention), turnOf(turn));
 }
 
-const signs: Record<Convention["handedness"], string> = { right: "⊙", left: "⊗" };
+export const signs: Record<Convention["handedness"], string> = { right: "⊙", left: "⊗" };
 
 export function citeCompose({ declared, p, q }: ComposeReport): string {
   const { convention } = declared;

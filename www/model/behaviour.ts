@@ -3,6 +3,7 @@ import type {
   BehaviourAxis,
   ComponentOrder,
   ComponentSign,
+  Convention,
   CosineMatrix,
   Handedness,
   IncrementSign,
@@ -15,6 +16,7 @@ import {
   cosineMatrixValues,
   handednessValues,
   incrementSignValues,
+  namedConventions,
   perturbationValues,
 } from "../values.ts";
 import type { Preset } from "./page_state.ts";
@@ -62,5 +64,26 @@ export const presetOfValue: Readonly<Record<string, Preset | undefined>> = {
 /** The value of a choice that is left; nothing while both are, or none. */
 export function settledValue(remaining: Remaining, choice: BehaviourAxis): string | undefined {
   const values: readonly string[] = remaining[choice];
+  return values.length === 1 ? values[0] : undefined;
+}
+
+/**
+ * The convention that the numbers of a library follow; nothing until their order and what they do to a
+ * vector are settled. What else is open is as it is customary.
+ */
+export function settledConvention(remaining: Remaining): Convention | undefined {
+  const order = only(remaining.array);
+  const rotate = only(remaining.rotate);
+  if (order === undefined || rotate === undefined) return undefined;
+  const customary = namedConventions[rotate === "R" ? "hamilton" : "jpl"];
+  return {
+    ...customary,
+    order,
+    direction: only(remaining.direction) ?? customary.direction,
+    perturbation: only(remaining.perturbation) ?? customary.perturbation,
+  };
+}
+
+function only<Value>(values: readonly Value[]): Value | undefined {
   return values.length === 1 ? values[0] : undefined;
 }

@@ -1,6 +1,11 @@
 // The one mutable value of the page, and what follows from it.
 import { batch, computed, signal } from "@preact/signals";
-import { fromFragment, isOfNewerVersion, withKnownLibraries } from "../address/fragment.ts";
+import {
+  fromFragment,
+  isOfNewerVersion,
+  toFragment,
+  withKnownLibraries,
+} from "../address/fragment.ts";
 import type { Engine, Field, Outcome, Problem, Request } from "../engine.ts";
 import { declaredConvention } from "../model/conventions.ts";
 import { opening, type PageState } from "../model/page_state.ts";
@@ -129,6 +134,8 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
       change(stateOf(fragment), {});
       isLinkNewer.value = isOfNewerVersion(fragment);
     },
+    /** The address of the state with some changes. */
+    linkTo: (parts: Partial<PageState>) => `#${toFragment({ ...state.value, ...parts })}`,
     /** Ends a step: what follows is undone by itself. */
     step: () => {
       history.value = closed(history.peek());
@@ -157,7 +164,8 @@ function answer(state: PageState, engine: Engine): Answer {
   return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
 }
 
-function requestOf(state: PageState): Request | undefined {
+/** What a state asks the core; nothing where its view asks nothing. */
+export function requestOf(state: PageState): Request | undefined {
   const { view, quaternion, p, q, vector, matrix, euler } = state;
   const convention = declaredConvention(state);
   switch (view) {

@@ -45,6 +45,14 @@ export function matrix(page: Page, name: string) {
 
 export const quaternionField = (page: Page) => page.getByRole("textbox", { name: "quaternion q" });
 
+/** The link to a tab. */
+export const tab = (page: Page, name: string) =>
+  page.getByRole("navigation", { name: "Views" }).getByRole("link", { name, exact: true });
+
+/** The link to a part of the tab that is open. */
+export const part = (page: Page, name: string) =>
+  page.getByRole("main").getByRole("navigation").getByRole("link", { name, exact: true });
+
 /** The address of a picture seen from the world's x axis: y to the right, z up. */
 export const fromX = "look=0,0";
 export const stage = (page: Page) => page.getByRole("application", { name: "Picture of the turn" });

@@ -1,8 +1,7 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
-import { useEffect } from "preact/hooks";
-import { toFragment } from "../../address/fragment.ts";
-import { type Digits, type Unit, type View, views } from "../../model/page_state.ts";
+import type { Digits, Unit, View } from "../../model/page_state.ts";
+import { repositoryLinks } from "../../model/repository.ts";
 import { shown, shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
@@ -13,10 +12,12 @@ import { namesInOrder } from "../parts/Value.tsx";
 import { Read } from "../read/Read.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { Lazy } from "./Lazy.tsx";
-import { isLazy, load, loadingOf } from "./lazy_views.ts";
+import { isLazy, loadingOf } from "./lazy_views.ts";
 import { Overlay } from "./Overlay.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
+import { Parts, Tabs } from "./Tabs.tsx";
 import { Tools } from "./Tools.tsx";
+import { useCaseTitle } from "./title.ts";
 import "./page.css";
 
 /** The views of the first load. */
@@ -25,10 +26,7 @@ const firstViews = { read: Read, compose: Compose };
 export function Page({ store }: { store: Store }) {
   const state = store.state.value;
   const failure = store.failure.value;
-  const title = words.title(words.viewNames[state.view]);
-  useEffect(() => {
-    document.title = title;
-  }, [title]);
+  useCaseTitle(store);
   return (
     <>
       <button type="button" class="skip" onClick={() => focusResult()}>
@@ -37,24 +35,13 @@ export function Page({ store }: { store: Store }) {
       <header class="masthead">
         <h1 class="wordmark">{words.name}</h1>
         <p class="tagline">{words.tagline}</p>
-        <nav class="views" aria-label={words.views}>
-          {views.map((view) => (
-            <a
-              key={view}
-              href={`#${toFragment({ ...state, view })}`}
-              aria-current={state.view === view ? "page" : undefined}
-              // A pointer on the way to a view has a moment in which it can be loaded.
-              onPointerEnter={() => isLazy(view) && load(view, store)}
-            >
-              {words.viewNames[view]}
-            </a>
-          ))}
-        </nav>
+        <Tabs store={store} />
         <Tools>
           <Share store={store} />
         </Tools>
       </header>
       <main>
+        <Parts store={store} />
         <NewerLink store={store} />
         {failure !== undefined && (
           <p class="failure" role="alert">
@@ -63,14 +50,29 @@ export function Page({ store }: { store: Store }) {
         )}
         <Shown key={state.view} view={state.view} store={store} />
       </main>
-      <footer class="colophon">
-        <p>
-          {words.colophon} <Version /> <a href="./licences.txt">{words.licences}</a>
-        </p>
-      </footer>
+      <Colophon />
       <Announcements result={spoken(store)} of={state} />
       <Overlay store={store} />
     </>
+  );
+}
+
+/** Set where the page is built. */
+declare const repositoryAddress: string | undefined;
+
+function Colophon() {
+  return (
+    <footer class="colophon">
+      <p>
+        {words.colophon} <Version />{" "}
+        {repositoryLinks(repositoryAddress).map(({ name, href }) => (
+          <>
+            <a href={href}>{words.repositoryLinks[name]}</a>{" "}
+          </>
+        ))}
+        <a href="./licences.txt">{words.licences}</a>
+      </p>
+    </footer>
   );
 }
 

@@ -3,13 +3,12 @@ import { version } from "../../../package.json";
 import { versionedFragment } from "../../address/fragment.ts";
 import { citeCompose, citeRead, citeTranslation, markdownLink } from "../../copy/cite.ts";
 import { putOnClipboard } from "../../dom/clipboard.ts";
-import type { Endpoint } from "../../engine.ts";
 import { announceVisibly } from "../../state/announcement.ts";
 import type { Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { panelWords as words } from "../../words/frame/share_panel.ts";
-import { nameOf } from "../parts/convention_names.ts";
 import { Popup } from "../parts/Popup.tsx";
+import { caseTitle, current, endNameOf } from "./case_title.ts";
 import "./share_panel.css";
 
 export interface PanelProps {
@@ -24,7 +23,7 @@ export function SharePanel({ store, anchor, close }: PanelProps) {
   return (
     <Popup anchor={anchor} close={close} role="dialog" label={words.panel} kind="share-panel">
       <Line name={words.link} text={link} />
-      <Line name={words.markdown} text={markdownLink(titleOf(store), link)} />
+      <Line name={words.markdown} text={markdownLink(caseTitle(store), link)} />
       {sentence === undefined ? null : sentence === "" ? (
         <p>{words.noCase}</p>
       ) : (
@@ -56,54 +55,21 @@ function sharedFragment(store: Store): string {
   return versionedFragment(store.state.value);
 }
 
-/** What the link opens, in words. */
-function titleOf(store: Store): string {
-  const { titles } = citeWords;
-  const state = store.state.value;
-  switch (state.view) {
-    case "read":
-      return titles.read(state.quaternion);
-    case "compose":
-      return titles.compose(state.p, state.q);
-    case "translate":
-      return titles.translate(endNameOf(state.from, store), endNameOf(state.to, store));
-    case "identify":
-      return titles.identify(state.libraryName);
-    case "libraries":
-      return titles.libraries;
-  }
-}
-
 /** The sentence of a view that shows a case: empty while its text has a problem. */
 function sentenceOf(store: Store): string | undefined {
-  switch (store.state.value.view) {
+  const { view, from, to } = store.state.value;
+  switch (view) {
     case "read":
-      return current(store.read.value, citeRead);
+      return current(store.read.value, citeRead) ?? "";
     case "compose":
-      return current(store.compose.value, citeCompose);
+      return current(store.compose.value, citeCompose) ?? "";
     case "translate":
-      return current(store.translate.value, (report) =>
-        citeTranslation(report, {
-          from: endNameOf(store.state.value.from, store),
-          to: endNameOf(store.state.value.to, store),
-        }),
+      return (
+        current(store.translate.value, (report) =>
+          citeTranslation(report, { from: endNameOf(from, store), to: endNameOf(to, store) }),
+        ) ?? ""
       );
     default:
       return undefined;
   }
-}
-
-function current<Report>(
-  shown: { report: Report; freshness: string } | undefined,
-  cite: (report: Report) => string,
-): string {
-  return shown?.freshness === "current" ? cite(shown.report) : "";
-}
-
-/** The name of a library or of a convention. */
-function endNameOf(end: Endpoint, { engine }: Store): string {
-  if (end.kind === "convention") {
-    return nameOf(end.convention, engine) ?? citeWords.convention(end.convention);
-  }
-  return engine.libraries.find(({ id }) => id === end.id)?.name ?? end.id;
 }

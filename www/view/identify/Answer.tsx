@@ -10,6 +10,7 @@ import { ContradictionWords } from "./Contradiction.tsx";
 import { wordsOfValue } from "./choices.ts";
 import type { Answer } from "./kept_answer.ts";
 import { sentenceId } from "./Sheet.tsx";
+import { TranslateFrom } from "./TranslateFrom.tsx";
 import "../parts/result.css";
 import "./answer.css";
 
@@ -36,6 +37,7 @@ export function AnswerCard({ store, answer }: { store: Store; answer: Answer }) 
           </p>
           <Copy of={words.copied} text={shown.sentence} />
         </div>
+        <TranslateFrom store={store} report={shown} />
       </div>
     </section>
   );

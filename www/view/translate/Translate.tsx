@@ -10,6 +10,7 @@ import { arrowOf } from "../../words/conventions.ts";
 import type { EndNames } from "../../words/translate/translate.ts";
 import * as words from "../../words/translate/translate.ts";
 import { AskStatus } from "../parts/Ask.tsx";
+import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { nameOf as conventionName } from "../parts/convention_names.ts";
 import { accentOf, endName, libraryWith } from "../parts/library.ts";
 import { Notes } from "../parts/Notes.tsx";
@@ -212,6 +213,12 @@ function Result({
                 convention={report[side]}
                 value={endQuaternion(report[side], store.engine.describe)}
                 digits={digits}
+              />
+              <CarryLinks
+                store={store}
+                of={words.components(names[side], report[side].order)}
+                quaternion={report[side]}
+                to={["read"]}
               />
             </div>
           ))}

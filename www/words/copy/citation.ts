@@ -1,4 +1,4 @@
-// The sentence that cites a case, and what a link to it is called.
+// The sentence that cites a case.
 import type { Convention } from "../../engine.ts";
 import { lettersOf } from "../conventions.ts";
 
@@ -26,12 +26,4 @@ export const citeWords = {
     `${quaternion} of ${from} is ${becomes} in ${to}: ${turn}.`,
   source: (sentence: string, version: string, link: string) =>
     `${sentence} quatlas ${version}, ${link}`,
-  /** What a link is called. */
-  titles: {
-    read: (text: string) => `quatlas: ${text}`,
-    compose: (p: string, q: string) => `quatlas: ${p} and ${q}`,
-    translate: (from: string, to: string) => `quatlas: ${from} to ${to}`,
-    identify: (name: string) => `quatlas: the convention of ${name}`,
-    libraries: "quatlas: what libraries do with quaternions",
-  },
 };

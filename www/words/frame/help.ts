@@ -1,6 +1,7 @@
 // What the keys do.
 import type { Preset, View } from "../../model/page_state.ts";
 import type { ShortcutName } from "../../model/shortcut_name.ts";
+import type { Tab } from "../../model/tabs.ts";
 
 const goTo = (view: string) => `Go to ${view}`;
 const declare = (preset: string) => `Declare the text as ${preset}`;
@@ -10,7 +11,16 @@ export const viewShortcutWords: Record<View, string> = {
   compose: goTo("Compose"),
   translate: goTo("Translate"),
   identify: goTo("Identify"),
-  libraries: goTo("Libraries"),
+  libraries: goTo("All libraries"),
+};
+
+const goToTab = (tab: string) => `Go to ${tab}, to the part used last`;
+
+/** A tab of one view is gone to by the keys of that view. */
+const tabShortcutWords: Record<`tab ${Tab}`, string> = {
+  "tab read": goToTab("Read"),
+  "tab compose": goToTab("Compose"),
+  "tab libraries": goToTab("Libraries"),
 };
 
 export const presetShortcutWords: Record<Preset, string> = {
@@ -20,6 +30,7 @@ export const presetShortcutWords: Record<Preset, string> = {
 
 export const shortcutWords: Record<ShortcutName, string> = {
   ...viewShortcutWords,
+  ...tabShortcutWords,
   ...presetShortcutWords,
   field: "Go to the first text field",
   copy: "Copy the quaternion",

@@ -1,17 +1,23 @@
 // The words of the frame of the page, and what is said aloud of a result.
 import type { View } from "../../model/page_state.ts";
+import type { RepositoryLink } from "../../model/repository.ts";
+import type { Tab } from "../../model/tabs.ts";
 
 export const name = "quatlas";
-export const title = (view: string) => `${name} · ${view}`;
 export const skip = "Go to the result";
 export const tagline = "One rotation, every convention.";
-export const views = "Views";
+export const tabsLabel = "Views";
+export const tabWords: Record<Tab, string> = {
+  read: "Read",
+  compose: "Compose",
+  libraries: "Libraries",
+};
 export const viewNames: Record<View, string> = {
   read: "Read",
   compose: "Compose",
   translate: "Translate",
   identify: "Identify",
-  libraries: "Libraries",
+  libraries: "All libraries",
 };
 
 /** What a mistake of ours looks like. */
@@ -27,6 +33,10 @@ export const colophon =
   "Computed in your browser; nothing you type is sent anywhere. The address of the page holds what you typed: share it as a link.";
 
 export const licences = "Licences";
+export const repositoryLinks: Record<RepositoryLink, string> = {
+  source: "Source",
+  report: "Report a problem",
+};
 
 export const spokenProblem = (
   symbol: string,

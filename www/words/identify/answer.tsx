@@ -17,6 +17,11 @@ export const ofOthers = "What stands below is what the other observations say.";
 export const uncounted = (places: readonly number[]) =>
   `Not counted: ${theObservations(places)}, which ${places.length === 1 ? "tells" : "tell"} nothing yet.`;
 
+/** The ways on: the library, one that does the same, or the convention alone. */
+export const translateFrom = (library: string) => `Translate from ${library}`;
+export const translateAs = (library: string) => `Translate as ${library}`;
+export const translateFromConvention = "Translate from this convention";
+
 export const choices = (
   <>
     <span class="visually-hidden">The eight choices and the values that are left. </span>

@@ -202,6 +202,7 @@ impl Pair<'_> {
             left,
             right,
             quaternion: Components::of(&product, convention.order),
+            turn: turn(&both),
             matrix: rows3(&both.matrix(direction)),
             images: first
                 .rotate_within_range(self.vector, direction)

@@ -161,6 +161,10 @@ pub struct Product {
     pub right: Operand,
     /// The product.
     pub quaternion: Components,
+    /// The turn that carries the world axes onto the axes of the second body, from the attitudes that
+    /// are multiplied. Products with the same numbers have the same turn: p ⊙ q body to world and
+    /// q ⊗ p world to body are one attitude, and nothing is conjugated.
+    pub turn: Turn,
     /// R(left ⊙ right) = R(left) R(right) for Hamilton, C(left ⊗ right) = C(left) C(right) for JPL.
     pub matrix: [[f64; 3]; 3],
     /// `x` after the right operand, then after both; absent where a double cannot hold it.

@@ -99,6 +99,67 @@ fn equal_numbers_have_transposed_matrices() {
 }
 
 #[wasm_bindgen_test(unsupported = test)]
+fn each_product_has_the_turn_of_its_attitude() {
+    // (c + s k) ⊙ (C + S i) = cC + cS i + sS j + sC k, of 15° and 50°; the other order flips j. The
+    // numbers of JPL's p ⊗ q are those of q ⊙ p, world to body, and the body turns by the same.
+    let (half_z, half_x) = (15.0_f64.to_radians(), 50.0_f64.to_radians());
+    let scalar = half_z.cos() * half_x.cos();
+    let first_x = Vector3::new(
+        half_z.cos() * half_x.sin(),
+        half_z.sin() * half_x.sin(),
+        half_z.sin() * half_x.cos(),
+    );
+    let first_z = Vector3::new(first_x.x, -first_x.y, first_x.z);
+    for declared in all_conventions() {
+        let report = compose("30deg about z", "100deg about x", "1 0 0", declared);
+        let of_declared = match report.declared.first_about_fixed_axes {
+            Operand::P => first_z,
+            Operand::Q => first_x,
+        };
+        for (product, vector_part) in report
+            .products
+            .iter()
+            .zip([first_x, first_z, first_z, first_x])
+            .chain([(&report.declared, of_declared)])
+        {
+            let angle_rad = 2.0 * scalar.acos();
+            let axis = vector_part.normalize();
+            let turn = &product.turn;
+            assert_close("angle", &[turn.angle_rad], &[angle_rad], 1e-15);
+            assert_close(
+                "angle in degrees",
+                &[turn.angle_deg],
+                &[angle_rad.to_degrees()],
+                1e-13,
+            );
+            assert_close(
+                "axis",
+                &turn.axis.expect("a turn has an axis"),
+                axis.as_slice(),
+                1e-15,
+            );
+            assert_close(
+                "rotation vector",
+                &turn.rotation_vector_rad,
+                (angle_rad * axis).as_slice(),
+                1e-15,
+            );
+            let alone = product.quaternion.array.map(|number| number.to_string());
+            let alone = read(&alone.join(" "), "1 0 0", product.convention).turn;
+            assert_close(
+                "turn of the product typed alone",
+                &alone.rotation_vector_rad,
+                &turn.rotation_vector_rad,
+                1e-14,
+            );
+            for &place in &product.equal_to {
+                assert_eq!(report.products[place].turn, *turn);
+            }
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
 fn turns_that_commute_are_said_to() {
     let about_one_axis = compose("0.6 + 0.8k", "0.8 + 0.6k", "1 0 0", Convention::JPL);
     assert_eq!(about_one_axis.order_matters, OrderMatters::No);

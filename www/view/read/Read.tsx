@@ -10,6 +10,7 @@ import { examplesLabel, featuredNames, moreExamples } from "../../words/examples
 import { lettersOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.tsx";
 import { AskRest } from "../parts/Ask.tsx";
+import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { Notes } from "../parts/Notes.tsx";
 import { Picture } from "../parts/Picture.tsx";
@@ -83,7 +84,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
   const isQuaternion = quaternion.form.kind === "quaternion";
   return (
     <div class="read-as">
-      <p>
+      <p class="read-as-text">
         {words.readAs}{" "}
         {isQuaternion ? (
           words.quaternionIn(
@@ -101,6 +102,12 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
           <var>v</var> = <code>{shownArray(vector, digits)}</code>
         </span>
       </p>
+      <CarryLinks
+        store={store}
+        of="q"
+        quaternion={quaternion}
+        to={["translate", "compose"]}
+      />
       <Notes notes={report.notes} store={store} />
     </div>
   );

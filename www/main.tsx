@@ -4,7 +4,7 @@ import { render } from "preact";
 import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
-import { releaseOnLeaving } from "./dom/hold.ts";
+import { holdWhileTyping, releaseOnLeaving } from "./dom/hold.ts";
 import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
@@ -28,6 +28,7 @@ engine.then(
     render(<Page store={store} />, root);
     keepAddress(store);
     releaseOnLeaving();
+    holdWhileTyping();
     undoByKey(store);
     showTheme();
     followTheme();

@@ -36,6 +36,35 @@ function release() {
   for (const part of document.querySelectorAll(".held")) part.classList.remove("held");
 }
 
+/** So long after the last key a text may be complete. Less than what a browser takes for its own doing. */
+const restMs = 350;
+
+/**
+ * What is said of a text keeps its height while somebody types, and takes what it needs when the hand
+ * rests or leaves: with every key a problem may come or go, and the result would jump.
+ */
+export function holdWhileTyping() {
+  let rest: ReturnType<typeof setTimeout> | undefined;
+  const letGo = () => {
+    clearTimeout(rest);
+    document.querySelector(".ask-status.typing")?.classList.remove("typing");
+  };
+  // Before the page is written again.
+  const onInput = ({ target }: Event) => {
+    if (!(target instanceof Element && target.matches(".ask textarea"))) return;
+    const status = document.querySelector<HTMLElement>(".ask-status");
+    if (status === null) return;
+    if (!status.classList.contains("typing")) {
+      status.style.setProperty("--typing-height", `${status.getBoundingClientRect().height}px`);
+      status.classList.add("typing");
+    }
+    clearTimeout(rest);
+    rest = setTimeout(letGo, restMs);
+  };
+  addEventListener("input", onInput, { capture: true });
+  addEventListener("focusout", letGo);
+}
+
 /** Lets go where the text itself is edited, another one is opened, or the width changes. */
 export function releaseOnLeaving() {
   document.addEventListener("focusin", (event) => {

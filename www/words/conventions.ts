@@ -43,7 +43,7 @@ export const arrowOf = (direction: Direction) => arrows[direction];
 export const wordsOf = {
   hamilton: {
     name: "Hamilton",
-    meaning: "w x y z, ij = k, body to world",
+    meaning: "w x y z · body → world",
     matrix: "R",
     product: "ij = k",
     order: "[w, x, y, z]",
@@ -53,7 +53,7 @@ export const wordsOf = {
   },
   jpl: {
     name: "JPL",
-    meaning: "x y z w, ij = −k, world to body",
+    meaning: "x y z w · world → body",
     matrix: "C",
     product: "ij = −k",
     order: "[x, y, z, w]",

@@ -30,7 +30,7 @@ export function MoreAxes({ store }: { store: Store }) {
   return (
     <details class="more">
       <summary>
-        {words.more}{" "}
+        <span class="more-word">{words.more}</span>{" "}
         <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
       </summary>
       <div class="more-panel">

@@ -6,6 +6,7 @@ import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
 import * as words from "../../words/read/column.ts";
 import { Choice } from "../parts/Choice.tsx";
+import { CaseLinks } from "./CaseLinks.tsx";
 import { ConventionColumn } from "./Column.tsx";
 
 const presets = ["hamilton", "jpl"] as const satisfies readonly Preset[];
@@ -47,6 +48,7 @@ export function Columns({
           digits={digits}
         />
       ))}
+      <CaseLinks report={report} store={store} />
     </div>
   );
 }

@@ -10,13 +10,13 @@ import { examplesLabel, featuredNames, moreExamples } from "../../words/examples
 import { lettersOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.tsx";
 import { AskRest } from "../parts/Ask.tsx";
-import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { Notes } from "../parts/Notes.tsx";
 import { Picture } from "../parts/Picture.tsx";
 import { FormWords } from "../parts/ReadAs.tsx";
 import { TextField } from "../parts/TextField.tsx";
 import { UndoRedo } from "../parts/UndoRedo.tsx";
+import { CaseLinks } from "./CaseLinks.tsx";
 import { Columns } from "./Columns.tsx";
 import { DeclaredCard } from "./Declared.tsx";
 import { Facts } from "./Facts.tsx";
@@ -102,12 +102,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
           <var>v</var> = <code>{shownArray(vector, digits)}</code>
         </span>
       </p>
-      <CarryLinks
-        store={store}
-        of="q"
-        quaternion={quaternion}
-        to={["translate", "compose"]}
-      />
+      <CaseLinks report={report} store={store} />
       <Notes notes={report.notes} store={store} />
     </div>
   );

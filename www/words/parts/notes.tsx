@@ -206,9 +206,7 @@ export const problemWords = {
 export const otherSign = {
   heading: "The other sign",
   words: (
-    <>
-      −<var>q</var> is the same rotation, not its inverse.
-    </>
+    <>The same rotation, not its inverse.</>
   ),
 };
 

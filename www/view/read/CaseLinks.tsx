@@ -5,11 +5,6 @@ import { CarryLinks } from "../parts/CarryLinks.tsx";
 
 export function CaseLinks({ report, store }: { report: ReadReport; store: Store }) {
   return (
-    <CarryLinks
-      store={store}
-      of="q"
-      quaternion={report.quaternion}
-      to={["translate", "compose"]}
-    />
+    <CarryLinks store={store} of="q" quaternion={report.quaternion} to={["translate", "compose"]} />
   );
 }

@@ -6,8 +6,8 @@ import { type FeaturedName, featured } from "../../model/examples/featured.ts";
 import { shown, shownArray } from "../../number/format.ts";
 import { showOverlay } from "../../state/overlay.ts";
 import type { Store } from "../../state/store.ts";
-import { examplesLabel, featuredNames, moreExamples } from "../../words/examples/featured.ts";
 import { lettersOf } from "../../words/conventions.ts";
+import { examplesLabel, featuredNames, moreExamples } from "../../words/examples/featured.ts";
 import * as words from "../../words/parts/ask.tsx";
 import { AskRest } from "../parts/Ask.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
@@ -87,9 +87,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
       <p class="read-as-text">
         {words.readAs}{" "}
         {isQuaternion ? (
-          words.quaternionIn(
-            <span class="letters">{lettersOf[quaternion.convention.order]}</span>,
-          )
+          words.quaternionIn(<span class="letters">{lettersOf[quaternion.convention.order]}</span>)
         ) : (
           <FormWords quaternion={quaternion} digits={digits} unit={unit} />
         )}

@@ -25,9 +25,7 @@ export function Relation({
       <p>
         <strong>{words.sameMatrix}</strong>{" "}
         {words.sameMatrixSays(<code>{shownArray(report.jplWithSameMatrix.array, digits)}</code>)}{" "}
-        <span class="relation-applies">
-          {isEq18 ? words.declared : words.declaredNot}
-        </span>
+        <span class="relation-applies">{isEq18 ? words.declared : words.declaredNot}</span>
       </p>
       <p class="relation-order">
         <strong>{words.order}</strong> {words.orderSays}

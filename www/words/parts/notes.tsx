@@ -205,9 +205,7 @@ export const problemWords = {
 /** The scalar's sign does not matter, which is plain to few. */
 export const otherSign = {
   heading: "The other sign",
-  words: (
-    <>The same rotation, not its inverse.</>
-  ),
+  words: "The same rotation, not its inverse.",
 };
 
 /** What is left of the angles at gimbal lock; `names` are those of the three angles. */

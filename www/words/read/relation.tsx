@@ -7,8 +7,8 @@ export const sameNumbers = "Same numbers, transposed matrices.";
 
 export const sameNumbersSays = (
   <>
-    Hamilton goes body → world, JPL world → body: one attitude, <strong>nothing is conjugated</strong>
-    , only reordered.
+    Hamilton goes body → world, JPL world → body: one attitude,{" "}
+    <strong>nothing is conjugated</strong>, only reordered.
   </>
 );
 

@@ -25,8 +25,9 @@ for (const width of [320, 390, 1280]) {
     const faults = await page.evaluate(async () => {
       const found: string[] = [];
       for (const field of document.querySelectorAll<HTMLInputElement>(".result .number")) {
-        field.focus();
+        field.dispatchEvent(new MouseEvent("mousedown", { bubbles: true, cancelable: true }));
         await new Promise((painted) => requestAnimationFrame(painted));
+        if (!field.matches(":focus.editing")) found.push(`${field.ariaLabel} is not edited`);
         const isCut = field.scrollWidth > field.clientWidth;
         const beyond = document.documentElement.scrollWidth - innerWidth;
         if (isCut || beyond > 0) found.push(`${field.ariaLabel} ${isCut} ${beyond}`);

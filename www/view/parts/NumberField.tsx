@@ -204,13 +204,16 @@ function select(field: HTMLInputElement, text: string) {
   field.select();
 }
 
+/** Pixels of the outline, which what scrolls would cut. */
+const outline = 3;
+
 /** Moves a field that is wider than its place to the left, as far as the matrix or the page ends. */
 function keepWithin(field: HTMLInputElement) {
   const within = field.closest(".matrix-scroll, #page")?.getBoundingClientRect();
   if (within === undefined) return;
   field.style.left = "0";
-  field.style.maxWidth = `${within.width}px`;
-  const beyond = field.getBoundingClientRect().right - within.right;
+  field.style.maxWidth = `${within.width - 2 * outline}px`;
+  const beyond = field.getBoundingClientRect().right + outline - within.right;
   if (beyond > 0) field.style.left = `${-beyond}px`;
 }
 

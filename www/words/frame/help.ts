@@ -62,7 +62,7 @@ export const numberKeys = [
     rows: [
       {
         keys: ["↑", "↓"],
-        does: "Step it by 0.01 or 1°; with Shift by 10 times that, with Alt by a tenth",
+        does: "Step by 0.01 or 1°; Shift: 10 times that, Alt: a tenth",
       },
       { keys: ["Enter"], does: "Keep the edit; the arrow keys lead on" },
       { keys: ["Escape"], does: "Take the edit back" },

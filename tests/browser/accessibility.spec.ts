@@ -41,7 +41,8 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
           - radio /Passive/ [checked]
           - radio /Active/
         - application "Picture of the turn"
-        - checkbox "Also read as JPL, body → world"
+        - checkbox "Also as JPL body → world"
+        - button "First view"
         - button "Save SVG"
       - region "Hamilton":
         - heading "Hamilton" [level=2]

@@ -30,17 +30,17 @@ const scrolled = (page: Page) => page.evaluate(() => scrollY);
 const parts = [0.05, 0.2, 0.4, 0.6, 0.8, 1];
 
 for (const [way, right, down, written] of [
-  ["to the right", 1, 0, "w=0.707107 x=0 y=0 z=0.707107"],
-  ["down", 0, 1, "w=0.707107 x=0 y=0.707107 z=0"],
+  ["to the right", 1, 0, "90deg about z"],
+  ["down", 0, 1, "90deg about y"],
 ] as const) {
   test(`a finger turns the body ${way}, and the page stays`, async ({ page, finger }) => {
     await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
-    const { x, y, unit } = await bodyOn(page);
+    const { x, y } = await bodyOn(page);
     const before = await scrolled(page);
     await finger.start({ x, y });
-    // 150 units of paper at 0.6° each.
+    // 150 pixels at 0.6° each.
     for (const part of parts) {
-      const by = part * 150 * unit;
+      const by = part * 150;
       await finger.move({ x: x + right * by, y: y + down * by });
     }
     await finger.end();
@@ -69,7 +69,7 @@ test("a second finger takes back what the first one turned", async ({ page, fing
   const { x, y } = await bodyOn(page);
   await finger.start({ x, y });
   for (const part of parts) await finger.move({ x: x + part * 60, y });
-  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await expect(quaternionField(page)).toHaveValue(/deg about /);
   await finger.start({ x: x + 60, y }, { x: x - 60, y });
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
   await finger.move({ x: x + 100, y }, { x: x - 100, y });

@@ -1,6 +1,7 @@
 // The picture: what it shows, and turning it by keyboard, mouse and touch.
 import { readFile } from "node:fs/promises";
 import type { Page } from "@playwright/test";
+import { asText, randomAttitude, randomFrom } from "./support/attitudes.ts";
 import {
   bodyOn,
   expect,
@@ -26,7 +27,7 @@ test("turning the body to the right turns it about the axis that points up", asy
   await tabTo(page, stage(page));
   await press(page, "Shift+ArrowRight", quarter);
   // About z: the body's x axis points to the world's y.
-  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+  await expect(quaternionField(page)).toHaveValue("90deg about z");
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
 });
 
@@ -37,38 +38,24 @@ test("turning it down turns it about the axis to the right, rolling about that t
   await stage(page).focus();
   await press(page, "Shift+ArrowDown", quarter);
   // About y: x to −z.
-  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0.707107 z=0");
+  await expect(quaternionField(page)).toHaveValue("90deg about y");
   await quaternionField(page).fill("1 0 0 0");
   await stage(page).focus();
   await press(page, "PageUp", quarter);
-  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0.707107 y=0 z=0");
+  await expect(quaternionField(page)).toHaveValue("90deg about x");
 });
 
-test("what is written is in the declared convention", async ({ page }) => {
-  const turnFrom = async (declared: string) => {
+test("what is written is the same turn in every convention", async ({ page }) => {
+  for (const declared of [
+    "as=jpl",
+    "as=jpl&direction=body-to-world",
+    "as=hamilton&direction=world-to-body",
+  ]) {
     await page.goto(`/#read?quaternion=w%3D1+x%3D0+y%3D0+z%3D0&${declared}&${fromX}`);
     await stage(page).focus();
     await press(page, "Shift+ArrowRight", quarter);
+    await expect(quaternionField(page)).toHaveValue("90deg about z");
     await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, -1, 0, 1, 0, 0, 0, 0, 1]);
-    return quaternionField(page).inputValue();
-  };
-  expect(await turnFrom("as=jpl")).toBe("x=0 y=0 z=0.707107 w=0.707107");
-  // The conjugate, where JPL states the direction body to world (Yoosefian 2021, eq. 18).
-  expect(await turnFrom("as=jpl&direction=body-to-world")).toBe("x=0 y=0 z=-0.707107 w=0.707107");
-  expect(await turnFrom("as=hamilton&direction=world-to-body")).toBe(
-    "w=0.707107 x=0 y=0 z=-0.707107",
-  );
-});
-
-test("what is written has the decimals that are shown", async ({ page }) => {
-  for (const [digits, written] of [
-    ["4", /^w=0\.7071 x=0 y=0 z=0\.7071$/],
-    ["all", /^w=0\.7071067811865\d+ x=.* z=0\.7071067811865\d+$/],
-  ] as const) {
-    await page.goto(`/#read?quaternion=1+0+0+0&digits=${digits}&${fromX}`);
-    await stage(page).focus();
-    await press(page, "Shift+ArrowRight", quarter);
-    await expect(quaternionField(page)).toHaveValue(written);
   }
 });
 
@@ -79,18 +66,153 @@ test("dragging the body turns it, dragging beside it looks round", async ({ page
   const [across, down] = [box.x + box.width / 2, box.y + box.height / 2 + 4];
   await page.mouse.move(across + 6, down + 10);
   await page.mouse.down();
-  // 360 units of paper across; 0.6° for each.
-  await page.mouse.move(across + 6 + (box.width / 360) * 150, down + 10, { steps: 10 });
+  // 0.6° for each pixel.
+  await page.mouse.move(across + 6 + 150, down + 10, { steps: 10 });
   await page.mouse.up();
-  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+  await expect(quaternionField(page)).toHaveValue("90deg about z");
   await expect(page).toHaveURL(/look=0,0/);
 
   await page.mouse.move(box.x + 20, box.y + 20);
   await page.mouse.down();
-  await page.mouse.move(box.x + 20 + (box.width / 360) * 50, box.y + 20, { steps: 5 });
+  await page.mouse.move(box.x + 20 + 50, box.y + 20, { steps: 5 });
   await page.mouse.up();
   await expect(page).toHaveURL(/look=-30,0/);
-  await expect(quaternionField(page)).toHaveValue("w=0.707107 x=0 y=0 z=0.707107");
+  await expect(quaternionField(page)).toHaveValue("90deg about z");
+});
+
+test("a drag and a turn by keys leave nothing to note", async ({ page }) => {
+  await page.goto("/#read?quaternion=0.8+0.3+-0.2+0.5&decimals=6");
+  const { x, y } = await bodyOn(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 37, y - 23, { steps: 5 });
+  await page.mouse.up();
+  await expect(quaternionField(page)).toHaveValue(/^[\d.]+deg about -?0\.\d+ -?0\.\d+ -?0\.\d+$/);
+  await expect(page.getByText(/norm is/)).toHaveCount(0);
+  const dragged = await quaternionField(page).inputValue();
+  await stage(page).focus();
+  await press(page, "Shift+ArrowUp", 3);
+  await expect(quaternionField(page)).not.toHaveValue(dragged);
+  await expect(page.getByText(/norm is/)).toHaveCount(0);
+  // As it is said of four numbers that were rounded.
+  await quaternionField(page).fill("0.707107 0 0 0.707107");
+  await expect(page.getByText(/norm is/).first()).toBeVisible();
+});
+
+test("no label is drawn on another one, or beyond the paper", async ({ page }) => {
+  const random = randomFrom(5);
+  const texts = ["cos(pi/8) + sin(pi/8) k"];
+  for (let run = 0; run < 20; run += 1) texts.push(asText(randomAttitude(random)));
+  const found: string[] = [];
+  for (const shown of ["", "&picture=active", "&poses=both"]) {
+    await page.goto("about:blank");
+    await page.goto(`/#read?vector=1+1+0${shown}`);
+    await stage(page).locator("text").first().waitFor();
+    await page.evaluate(() => document.fonts.ready);
+    for (const text of texts) {
+      await quaternionField(page).fill(text);
+      await expect(page.locator(".picture-old")).toHaveCount(0);
+      const wrong = await stage(page).evaluate(collidingLabels);
+      found.push(...wrong.map((what) => `${what}: ${text} ${shown}`));
+    }
+  }
+  expect(found).toEqual([]);
+});
+
+/** The labels whose boxes, as they are drawn, meet or are cut. */
+function collidingLabels(drawn: Element): string[] {
+  const paper = drawn.getBoundingClientRect();
+  const boxes = [...drawn.querySelectorAll("text")].map((text) => ({
+    name: text.textContent,
+    box: text.getBoundingClientRect(),
+  }));
+  return boxes.flatMap(({ name, box }, at) => {
+    const isCut =
+      box.left < paper.left ||
+      box.right > paper.right ||
+      box.top < paper.top ||
+      box.bottom > paper.bottom;
+    const under = boxes
+      .slice(at + 1)
+      .filter(
+        ({ box: other }) =>
+          box.left < other.right &&
+          other.left < box.right &&
+          box.top < other.bottom &&
+          other.top < box.bottom,
+      );
+    return [
+      ...(isCut ? [`${name} is cut`] : []),
+      ...under.map((other) => `${name} and ${other.name}`),
+    ];
+  });
+}
+
+test("the drawing fills its card, whose height nothing changes", async ({ page }) => {
+  await page.goto(`/#read?quaternion=1+0+0+0&${fromX}`);
+  await stage(page).waitFor();
+  const heights = async () => {
+    const boxes = [page.locator(".picture"), stage(page), stage(page).locator("svg")];
+    return Promise.all(boxes.map(async (box) => (await box.boundingBox())?.height));
+  };
+  const [card, place, drawing] = await heights();
+  expect(card).toBeGreaterThanOrEqual(380);
+  // Less than half of the least card is words.
+  expect(place).toBeGreaterThan(230);
+  expect(drawing).toBe(place);
+  const viewBox = () => stage(page).locator("svg").getAttribute("viewBox");
+  const { width } = (await stage(page).boundingBox()) ?? { width: 0 };
+  await expect.poll(viewBox).toBe(`0 0 ${Math.round(width)} ${Math.round(place ?? 0)}`);
+  await stage(page).focus();
+  await press(page, "Shift+ArrowDown", 3);
+  await press(page, "Shift+ArrowRight", 2);
+  await page.getByRole("checkbox", { name: /^Also as/ }).check();
+  expect(await heights()).toEqual([card, place, drawing]);
+  await page.getByRole("radio", { name: "Active" }).check();
+  expect(await heights()).toEqual([card, place, drawing]);
+});
+
+test("the first view is gone back to", async ({ page }) => {
+  await page.goto("/#read?look=30,22");
+  await stage(page).focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(page).toHaveURL(/look=35,22/);
+  await page.getByRole("button", { name: "First view" }).click();
+  await expect(page).not.toHaveURL(/look=/);
+});
+
+test("where colours are forced, the card has its edges and the body its sides", async ({
+  page,
+}) => {
+  for (const view of ["read", "compose"]) {
+    await page.emulateMedia({ forcedColors: "active" });
+    await page.goto(`/#${view}`);
+    await page.locator(".stage text").first().waitFor();
+    const edges = await page.locator(".picture").evaluate((card) => {
+      const style = getComputedStyle(card);
+      const sides = ["Top", "Right", "Bottom", "Left"] as const;
+      return sides.map((side) =>
+        [`border${side}Style`, `border${side}Width`, `border${side}Color`]
+          .map((name) => style[name as "borderTopStyle"])
+          .join(" "),
+      );
+    });
+    expect(new Set(edges).size).toBe(1);
+    expect(edges[0]).toMatch(/^solid 1px /);
+    expect(edges[0]).not.toBe(
+      await page.locator(".picture").evaluate((card) => {
+        return `solid 1px ${getComputedStyle(card).backgroundColor}`;
+      }),
+    );
+    // Nothing but the colours of the system: no shade of a colour that was not asked for.
+    const fills = await page
+      .locator(".picture-body path")
+      .evaluateAll((paths) => [...new Set(paths.map((path) => getComputedStyle(path).fill))]);
+    const canvas = await page
+      .locator("body")
+      .evaluate((body) => getComputedStyle(body).backgroundColor);
+    expect(fills.filter((fill) => fill !== "none")).toEqual([canvas]);
+  }
 });
 
 test("what the browser makes a scroll of is taken back", async ({ page }) => {
@@ -99,7 +221,7 @@ test("what the browser makes a scroll of is taken back", async ({ page }) => {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 40, y + 30, { steps: 4 });
-  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await expect(quaternionField(page)).toHaveValue(/deg about /);
   await stage(page).dispatchEvent("pointercancel", { pointerId: 1, bubbles: true });
   await page.mouse.up();
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
@@ -137,7 +259,7 @@ test("turning the body of the active picture writes what turns it so", async ({ 
   await page.goto(`/#read?quaternion=0+0+0+1&as=jpl&picture=active&${fromX}`);
   await stage(page).focus();
   await press(page, "Shift+ArrowRight", quarter);
-  await expect(quaternionField(page)).toHaveValue("x=0 y=0 z=-0.707107 w=0.707107");
+  await expect(quaternionField(page)).toHaveValue("90deg about -z");
   await expect(stage(page)).toHaveAccessibleDescription(
     /about z\. .*along x now points to \[0, 1, 0\]/,
   );
@@ -155,7 +277,7 @@ test("a drag is one step of undo, and Escape takes it back", async ({ page }) =>
     await page.mouse.move(across + 40, down + 10, { steps: 5 });
   };
   await drag();
-  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await expect(quaternionField(page)).toHaveValue(/deg about /);
   await page.keyboard.press("Escape");
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
   await page.mouse.move(across + 80, down);
@@ -163,7 +285,7 @@ test("a drag is one step of undo, and Escape takes it back", async ({ page }) =>
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
   await drag();
   await page.mouse.up();
-  await expect(quaternionField(page)).toHaveValue(/^w=0\.9/);
+  await expect(quaternionField(page)).toHaveValue(/deg about /);
   await page.getByRole("button", { name: "Undo" }).click();
   await expect(quaternionField(page)).toHaveValue("1 0 0 0");
 });
@@ -220,7 +342,7 @@ test("the change of reading is shown once, and at once for those who want less m
 
 test("the same numbers under the other product are a second pose", async ({ page }) => {
   await page.goto("/#read?quaternion=90deg+about+z");
-  await page.getByRole("checkbox", { name: "Also read as JPL, body → world" }).check();
+  await page.getByRole("checkbox", { name: "Also as JPL body → world" }).check();
   await expect(stage(page)).toHaveAccessibleDescription(
     /^Dashed: the same four numbers read as JPL, body → world: the opposite turn/,
   );

@@ -6,7 +6,7 @@ export interface Look {
   elevationDeg: number;
 }
 
-export const firstLook: Look = { azimuthDeg: 30, elevationDeg: 22 };
+export const firstLook: Look = { azimuthDeg: 60, elevationDeg: 26 };
 
 /** Whether the vector is turned or the axes are; as declared where it is not chosen. */
 export type Reading = "active" | "passive";

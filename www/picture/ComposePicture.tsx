@@ -50,7 +50,7 @@ function Steps({
         <h2>{words.name}</h2>
         <p>{words.lead}</p>
         <div class="steps-choice">
-          <fieldset class="picture-readings">
+          <fieldset class="choice">
             <legend class="visually-hidden">{words.name}</legend>
             {allSteps.map((each) => (
               <label key={each}>

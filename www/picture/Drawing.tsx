@@ -1,49 +1,19 @@
 // A scene as the elements of an SVG; colours are custom properties, so that they follow the theme.
+import { useMemo } from "preact/hooks";
 import { type Camera, type OnPaper, onPaper } from "./camera.ts";
-import { apart } from "./labels.ts";
-import { isHidden, type PaintedLine, type Plane, painted, planesOf } from "./occlusion.ts";
-import type { Label, Scene } from "./scene.ts";
+import { fontSize, frameSize, type Stood } from "./labels.ts";
+import { type Lettered, lettered } from "./lettering.ts";
+import { type PaintedLine, type Plane, painted, planesOf } from "./occlusion.ts";
+import { penOf } from "./pens.ts";
+import type { Scene } from "./scene.ts";
 import { dot, turned } from "./space.ts";
 
-interface Pen {
-  colour: string;
-  width: number;
-  dash?: string;
-  opacity?: number;
-}
-
-const axisPens = (kind: string, pen: Omit<Pen, "colour">): [string, Pen][] =>
-  ["x", "y", "z"].map((letter) => [
-    `${kind}-${letter}`,
-    { colour: `var(--axis-${letter})`, ...pen },
-  ]);
-
-const pens: Record<string, Pen> = {
-  ...Object.fromEntries([
-    ...axisPens("world", { width: 1.2 }),
-    ...axisPens("body", { width: 2.6 }),
-    ...axisPens("ghost", { width: 1.4, dash: "2 3" }),
-  ]),
-  ghost: { colour: "var(--picture-ink)", width: 1, dash: "3 2", opacity: 0.75 },
-  ground: { colour: "var(--picture-soft)", width: 0.8, opacity: 0.5 },
-  turn: { colour: "var(--picture-ink)", width: 1.4 },
-  "turn-axis": { colour: "var(--picture-ink)", width: 1, dash: "5 3" },
-  before: { colour: "var(--picture-soft)", width: 2.6 },
-  after: { colour: "var(--picture-accent)", width: 2.6 },
-  way: { colour: "var(--picture-accent)", width: 1.2, dash: "1 2.5" },
-};
-const plainPen: Pen = { colour: "var(--picture-ink)", width: 1 };
-
 export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
+  // Labels stay where they were, if they can, on the same paper.
+  const last = useMemo(() => new Map<string, Stood>(), [camera.paper]);
   const planes = planesOf(scene.pose, camera);
   const { behind, before } = painted(scene.lines, planes, camera);
-  const texts = apart(
-    scene.labels.map((label) => ({
-      label,
-      at: onPaper(label.at, camera),
-      isHidden: isHidden(label.at, planes, camera),
-    })),
-  );
+  const letters = lettered(scene, camera, planes, [...behind, ...before], last);
   return (
     <>
       <g fill="none" stroke-linecap="round" pointer-events="none">
@@ -66,12 +36,12 @@ export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
       <g
         font-family="IBM Plex Serif, STIX Two Text, Times New Roman, serif"
         font-style="italic"
-        font-size="15"
+        font-size={fontSize}
         text-anchor="middle"
         pointer-events="none"
       >
-        {texts.map(({ label, at, isHidden }, index) => (
-          <Lettering key={index} label={label} at={at} opacity={isHidden ? 0.4 : 1} />
+        {letters.map((lettering, index) => (
+          <Lettering key={index} {...lettering} />
         ))}
       </g>
     </>
@@ -82,9 +52,11 @@ export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
 const fine = (number: number) => Number(number.toFixed(2));
 const tipLength = 8;
 const tipWidth = 3.2;
+/** The line that letters stand on. */
+const belowMiddle = 5;
 
 function PenLine({ line: { from, to, pen, tip } }: { line: PaintedLine }) {
-  const { colour, width, dash, opacity } = pens[pen] ?? plainPen;
+  const { colour, width, dash, opacity } = penOf(pen);
   const [across, down] = [to.across - from.across, to.down - from.down];
   const length = Math.hypot(across, down);
   // A tip needs a shaft that shows its direction.
@@ -120,7 +92,7 @@ const pathOf = (points: readonly OnPaper[]) =>
   `M${points.map(({ across, down }) => `${fine(across)} ${fine(down)}`).join("L")}Z`;
 
 /** How dark a side is that looks away from the light, which comes over the viewer's shoulder. */
-const darkest = 0.3;
+const darkest = 0.12;
 
 function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Camera }) {
   const { face, normal } = plane;
@@ -133,10 +105,10 @@ function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Ca
       <path d={d} fill={face.letter ? `var(--side-${face.letter})` : "var(--side)"} />
       <path
         d={d}
-        fill="#000"
+        fill="var(--picture-shade)"
         fill-opacity={shade}
         stroke="var(--picture-edge)"
-        stroke-width="1.1"
+        stroke-width="0.8"
       />
       {face.strokes.length > 0 && (
         <path
@@ -148,7 +120,8 @@ function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Ca
             .join("")}
           fill="none"
           stroke={`var(--axis-${face.letter})`}
-          stroke-width="1.8"
+          stroke-width="1.3"
+          stroke-opacity="0.7"
         />
       )}
     </>
@@ -156,23 +129,22 @@ function Side({ plane, scene, camera }: { plane: Plane; scene: Scene; camera: Ca
 }
 
 /** What stands behind the solid has a fainter letter. */
-function Lettering({ label, at, opacity }: { label: Label; at: OnPaper; opacity: number }) {
-  const colour = pens[label.pen]?.colour ?? "var(--picture-ink)";
+function Lettering({ label: { text, frame, pen }, place, isHidden }: Lettered) {
   return (
     <text
-      x={fine(at.across)}
-      y={fine(at.down + 5)}
-      fill={colour}
+      x={fine(place.across)}
+      y={fine(place.down + belowMiddle)}
+      fill={penOf(pen).colour}
       stroke="var(--picture-paper)"
       stroke-width="3"
       stroke-linejoin="round"
       paint-order="stroke"
-      {...(opacity < 1 ? { opacity } : {})}
+      {...(isHidden ? { opacity: 0.55 } : {})}
     >
-      {label.text}
-      {label.frame && (
-        <tspan font-size="10.5" dy="3">
-          {label.frame}
+      {text}
+      {frame && (
+        <tspan font-size={frameSize} dy="3">
+          {frame}
         </tspan>
       )}
     </text>

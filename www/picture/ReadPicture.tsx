@@ -2,14 +2,16 @@
 import { useId, useMemo, useRef } from "preact/hooks";
 import { hold } from "../dom/hold.ts";
 import type { ReadReport } from "../engine.ts";
-import { declaredConvention, presetOf } from "../model/conventions.ts";
-import type { PictureState, Reading } from "../model/picture_state.ts";
+import { presetOf } from "../model/conventions.ts";
+import type { Unit } from "../model/page_state.ts";
+import { firstLook, type PictureState, type Reading } from "../model/picture_state.ts";
 import { shownArray, shownAxis, shownRoughAngle } from "../number/format.ts";
 import type { Freshness, Store } from "../state/store.ts";
 import { arrowOf, wordsOf } from "../words/conventions.ts";
 import {
   activeWords,
   axesWords,
+  noTurnName,
   noTurnWords,
   otherPoseWords,
   passiveWords,
@@ -24,6 +26,7 @@ import { useMotion } from "./motion.ts";
 import { operatorTurn, readingOf, readScene, vectorInWorld } from "./read_scene.ts";
 import { Stage } from "./Stage.tsx";
 import { saveFile, svgText } from "./save.ts";
+import type { Turning } from "./scene.ts";
 import { composed, ofNormOne, type Quaternion } from "./space.ts";
 import { poseAsText } from "./written.ts";
 
@@ -58,12 +61,13 @@ function Shown({
   const reading = readingOf(report, picture);
   const change = (changed: Partial<PictureState>) =>
     store.set({ picture: { ...store.state.peek().picture, ...changed } });
-  const angle = shownRoughAngle(report.turn.angleDeg, unit, 4);
+  const angle = shownRoughAngle(report.turn.angleDeg, unit);
+  const turning = shownTurning(report, reading);
   const { scene } = useMemo(
     () => readScene(report, picture, angle, motion.progress),
     [report, picture, angle, motion.progress],
   );
-  const description = describe(report, reading, picture, angle);
+  const description = describe(report, reading, picture, unit);
 
   const written = useRef<{ pose: Quaternion; text: string }>(undefined);
   const onTurn = (turn: Quaternion, by: "drag" | "key") => {
@@ -74,8 +78,7 @@ function Shown({
     const isInverse = reading === "active" && report.rules.operator === "world-to-body";
     const seen = isInverse ? inverse : same;
     const pose = seen(ofNormOne(composed(turn, seen(last ?? report.hamilton.unit))));
-    const convention = declaredConvention(state);
-    const text = poseAsText(pose, convention, report.rules, state.digits);
+    const text = poseAsText(pose, state.digits);
     written.current = { pose, text };
     hold();
     // A drag is one step of the history, however long the hand rests.
@@ -92,11 +95,11 @@ function Shown({
 
   return (
     <div ref={frame} class={freshness === "current" ? "" : "picture-old"}>
-      <div class="picture-bar">
-        <fieldset class="picture-readings">
+      <div class="picture-head">
+        <fieldset class="choice">
           <legend class="visually-hidden">{words.reading}</legend>
           {(["passive", "active"] as const).map((name) => (
-            <label key={name}>
+            <label key={name} title={words.readings[name].meaning}>
               <input
                 type="radio"
                 name="reading"
@@ -107,11 +110,12 @@ function Shown({
                   motion.start();
                 }}
               />
-              <span class="picture-reading">{words.readings[name].name}</span>{" "}
-              <span class="picture-meaning">{words.readings[name].meaning}</span>
+              <span>{words.readings[name].name}</span>{" "}
+              <span class="visually-hidden">{words.readings[name].meaning}</span>
             </label>
           ))}
         </fieldset>
+        <p class="picture-turn">{turning ? turnWords(angle, shortAxis(turning)) : noTurnName}</p>
       </div>
       <Stage
         scene={scene}
@@ -134,7 +138,7 @@ function Shown({
           {description.slice(1).join(" ")} {words.keys}
         </span>
       </p>
-      <div class="picture-bar picture-hands">
+      <div class="picture-foot">
         <label class="picture-check">
           <input
             type="checkbox"
@@ -144,9 +148,13 @@ function Shown({
             }
           />
           <span>
-            {words.both(otherName(report), arrowOf(report.declared.convention.direction))}
+            {words.both(otherName(report))}{" "}
+            <span class="visually-hidden">{arrowOf(report.declared.convention.direction)}</span>
           </span>
         </label>
+        <button type="button" class="text-button" onClick={() => change({ look: firstLook })}>
+          {words.reset}
+        </button>
         <button type="button" class="text-button" onClick={save}>
           {words.save}
         </button>
@@ -154,6 +162,19 @@ function Shown({
     </div>
   );
 }
+
+/** The turning that is shown. */
+const shownTurning = (report: ReadReport, reading: Reading): Turning | undefined =>
+  reading === "active"
+    ? operatorTurn(report)
+    : report.turn.axis && { ...report.turn, axis: report.turn.axis };
+
+/** With no more digits than a heading has room for, on one line. */
+const shortAxis = ({ axis }: Turning) =>
+  shownAxis(
+    axis.map((number) => Number(number.toFixed(2)) + 0),
+    "all",
+  ).replaceAll(" ", "\u00A0");
 
 const otherHand = { right: "left", left: "right" } as const;
 
@@ -166,7 +187,7 @@ function describe(
   report: ReadReport,
   reading: Reading,
   { poses }: PictureState,
-  angle: string,
+  unit: Unit,
 ): string[] {
   const { turn, vector, declared } = report;
   const { handedness, direction } = declared.convention;
@@ -178,7 +199,7 @@ function describe(
     string,
   ];
   const sentences: string[] = [];
-  const turning = isActive ? operatorTurn(report) : turn.axis && { ...turn, axis: turn.axis };
+  const turning = shownTurning(report, reading);
   const hasVector = vector.some((number) => number !== 0) && declared.image !== undefined;
   if (!isActive && poses === "both" && turn.axis) {
     const isSame = turn.angleDeg === 180;
@@ -187,6 +208,7 @@ function describe(
   }
   if (turning === undefined) sentences.push(noTurnWords);
   else {
+    const angle = shownRoughAngle(turn.angleDeg, unit, 4);
     const words = turnWords(angle, shownAxis(turning.axis, "4"));
     const matrix = `${wordsOf[presetOf[handedness]].matrix}(q)`;
     sentences.push(

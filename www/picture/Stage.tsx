@@ -1,14 +1,14 @@
 // The drawing, and the hands on it: drag or arrow keys go round it, or turn the body.
-import { useRef } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Look } from "../model/picture_state.ts";
 import { pictureWords as words } from "../words/picture.ts";
-import { cameraOf, orbited, paper, rollAsSeen, turnAsSeen } from "./camera.ts";
+import { cameraOf, orbited, type Paper, rollAsSeen, turnAsSeen, usualPaper } from "./camera.ts";
 import { Drawing } from "./Drawing.tsx";
 import type { Scene } from "./scene.ts";
 import type { Quaternion } from "./space.ts";
 
-/** Degrees for a drag across one unit of paper, and for one press of a key. */
-const degreesPerUnit = 0.6;
+/** Degrees for a drag by one pixel, and for one press of a key. */
+const degreesPerPixel = 0.6;
 const degreesPerPress = 5;
 
 const arrows: Record<string, readonly [number, number]> = {
@@ -64,14 +64,30 @@ export function Stage({
   /** The Escape key, or the browser, took back what the hand did with the body. */
   onCancelled?: () => void;
 }) {
-  const camera = cameraOf(look);
+  const [paper, setPaper] = useState<Paper>(usualPaper);
+  const camera = cameraOf(look, paper);
   const held = useRef<Held | undefined>(undefined);
+  const stage = useRef<HTMLDivElement>(null);
+  // The drawing has the size of its place, before it is painted for the first time.
+  useLayoutEffect(() => {
+    const place = stage.current;
+    if (place === null) return;
+    const measure = () => {
+      const { clientWidth: width, clientHeight: height } = place;
+      // What is not shown has no size.
+      if (width * height > 0) {
+        setPaper((last) =>
+          last.width === width && last.height === height ? last : { width, height },
+        );
+      }
+    };
+    measure();
+    const watch = new ResizeObserver(measure);
+    watch.observe(place);
+    return () => watch.disconnect();
+  }, []);
 
-  const point = (event: PointerEvent, stage: Element) => {
-    const { width } = stage.getBoundingClientRect();
-    const unit = paper.width / width;
-    return { across: event.clientX * unit, down: event.clientY * unit };
-  };
+  const point = ({ clientX, clientY }: PointerEvent) => ({ across: clientX, down: clientY });
 
   const takeBack = () => {
     if (held.current === undefined) return;
@@ -91,6 +107,7 @@ export function Stage({
   return (
     // The one role that leaves the arrow keys to the drawing.
     <div
+      ref={stage}
       class={`stage ${onTurn ? "stage-turns" : ""}`}
       role="application"
       aria-roledescription={words.role}
@@ -124,7 +141,7 @@ export function Stage({
         const isBody = (event.target as Element).closest(".picture-body") !== null;
         held.current = {
           id: event.pointerId,
-          ...point(event, event.currentTarget),
+          ...point(event),
           turns: isBody && onTurn ? "body" : "view",
           hasMoved: false,
           look,
@@ -137,12 +154,12 @@ export function Stage({
       onPointerMove={(event) => {
         const from = held.current;
         if (from?.id !== event.pointerId) return;
-        const to = point(event, event.currentTarget);
+        const to = point(event);
         held.current = { ...from, ...to };
         const [right, down] = [to.across - from.across, to.down - from.down];
         if (right === 0 && down === 0) return;
         held.current.hasMoved = true;
-        move(from.turns, right * degreesPerUnit, down * degreesPerUnit, "drag");
+        move(from.turns, right * degreesPerPixel, down * degreesPerPixel, "drag");
       }}
       // The browser makes a scroll of it.
       onPointerCancel={takeBack}

@@ -4,14 +4,26 @@ import { cross, directionOf, dot, minus, plus, times, turnAbout, type Vector } f
 
 /** How far the eye is from the origin, in units of space. */
 const eyeDistance = 7;
-/** Where one unit at the origin has its true size, in units of paper. */
-const scale = 86;
-export const paper = { width: 360, height: 300 };
-const centre = { across: paper.width / 2, down: paper.height / 2 + 10 };
+/** In pixels of the page, so that letters and lines are as large in every card. */
+export interface Paper {
+  width: number;
+  height: number;
+}
+/** Until the place of the drawing is measured. */
+export const usualPaper: Paper = { width: 300, height: 300 };
+/** The longest axis, across, with what perspective adds: it stays on the paper from wherever it is seen. */
+const longest = 1.56;
+/** Beyond the tips, for an edge of paper. */
+const edge = 6;
 /** Straight from above, right and up would be unknown. */
 const steepest = 89;
 
 export interface Camera {
+  paper: Paper;
+  /** Where the origin stands on the paper. */
+  centre: { across: number; down: number };
+  /** Pixels of one unit at the origin. */
+  scale: number;
   eye: Vector;
   right: Vector;
   up: Vector;
@@ -28,7 +40,7 @@ export interface OnPaper {
 
 const radians = (degrees: number) => (degrees * Math.PI) / 180;
 
-export function cameraOf({ azimuthDeg, elevationDeg }: Look): Camera {
+export function cameraOf({ azimuthDeg, elevationDeg }: Look, paper: Paper = usualPaper): Camera {
   const azimuth = radians(azimuthDeg);
   const elevation = radians(elevationDeg);
   const back: Vector = [
@@ -37,16 +49,31 @@ export function cameraOf({ azimuthDeg, elevationDeg }: Look): Camera {
     Math.sin(elevation),
   ];
   const right: Vector = [-Math.sin(azimuth), Math.cos(azimuth), 0];
-  return { eye: times(back, eyeDistance), right, up: cross(back, right), back };
+  const scale = Math.max(1, Math.min(paper.width, paper.height) / 2 - edge) / longest;
+  // More stands above the ground than below it.
+  const spare = paper.height / 2 - edge - scale * longest;
+  const centre = {
+    across: paper.width / 2,
+    down: paper.height / 2 + Math.max(0, Math.min(spare, scale * 0.2)),
+  };
+  return {
+    paper,
+    centre,
+    scale,
+    eye: times(back, eyeDistance),
+    right,
+    up: cross(back, right),
+    back,
+  };
 }
 
 /** Central projection: what is nearer is larger. */
 export function onPaper(point: Vector, camera: Camera): OnPaper {
   const depth = eyeDistance - dot(point, camera.back);
-  const size = (scale * eyeDistance) / depth;
+  const size = (camera.scale * eyeDistance) / depth;
   return {
-    across: centre.across + size * dot(point, camera.right),
-    down: centre.down - size * dot(point, camera.up),
+    across: camera.centre.across + size * dot(point, camera.right),
+    down: camera.centre.down - size * dot(point, camera.up),
     depth,
   };
 }

@@ -4,6 +4,7 @@
 // it where the eye is outside that side too, and cannot hide it where the eye is not. No sorting of
 // sides is needed: those that face away from the eye are not drawn, and the others do not overlap.
 import { type Camera, type OnPaper, onPaper } from "./camera.ts";
+import { penOf } from "./pens.ts";
 import { type Face, faces } from "./solid.ts";
 import { between, dot, minus, plus, type Quaternion, times, turned, type Vector } from "./space.ts";
 
@@ -80,8 +81,8 @@ export function painted(lines: readonly Line[], planes: readonly Plane[], camera
       start = end;
     }
   }
-  const farFirst = (a: PaintedLine, b: PaintedLine) =>
-    b.from.depth + b.to.depth - a.from.depth - a.to.depth;
+  const nearness = ({ from, to, pen }: PaintedLine) => penOf(pen).nearness - from.depth - to.depth;
+  const farFirst = (a: PaintedLine, b: PaintedLine) => nearness(a) - nearness(b);
   return { behind: lists.behind.sort(farFirst), before: lists.before.sort(farFirst) };
 }
 

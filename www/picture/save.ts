@@ -1,18 +1,18 @@
 // The drawing as a file of its own: light colours, no style sheet, words inside.
-import { paper } from "./camera.ts";
 
 /** The colours of picture.css on white paper. */
 const inks: Record<string, string> = {
   "--axis-x": "#b3261e",
   "--axis-y": "#1c7a35",
   "--axis-z": "#1f5fc4",
-  "--side": "#e6e4dd",
-  "--side-x": "#f6d5d0",
-  "--side-y": "#cfe9d3",
-  "--side-z": "#cfe0fa",
+  "--side": "#f3f2ee",
+  "--side-x": "#fae9e6",
+  "--side-y": "#e6f4e8",
+  "--side-z": "#e7effc",
   "--picture-ink": "#171a1f",
   "--picture-soft": "#7b818c",
-  "--picture-edge": "#4b515b",
+  "--picture-edge": "#9aa0aa",
+  "--picture-shade": "#000000",
   "--picture-accent": "#8a2fb8",
   "--picture-paper": "#ffffff",
 };
@@ -32,8 +32,9 @@ export function svgText(stage: SVGSVGElement, title: string, description: string
     }
   }
   copy.setAttribute("xmlns", namespace);
-  copy.setAttribute("width", String(paper.width));
-  copy.setAttribute("height", String(paper.height));
+  const [, , width = "", height = ""] = (copy.getAttribute("viewBox") ?? "").split(" ");
+  copy.setAttribute("width", width);
+  copy.setAttribute("height", height);
   copy.prepend(words("title", title), words("desc", description));
   return `${new XMLSerializer().serializeToString(copy)}\n`;
 }

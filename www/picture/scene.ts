@@ -17,7 +17,10 @@ import {
 } from "./space.ts";
 
 export interface Label {
-  at: Vector;
+  /** What it names: the end of a line. */
+  tip: Vector;
+  /** Where that line comes from: the label stands beyond the tip. */
+  from: Vector;
   text: string;
   /** Stands below the line: the frame of an axis. */
   frame?: string;
@@ -39,12 +42,14 @@ export interface Turning {
 
 const letters = ["x", "y", "z"] as const;
 const worldLength = 1.52;
-const bodyLength = 1.24;
-const vectorLength = 1.3;
-const groundRadius = 1.3;
-const axisReach = 1.62;
-const arcRadius = 0.46;
-const arcHeight = 1.36;
+const bodyLength = 1.22;
+const vectorLength = 1.36;
+const groundRadius = 1.22;
+/** The axis of the turn: above the arc, and below the body. */
+const axisReach = 1.32;
+const axisDepth = 1.1;
+const arcRadius = 0.4;
+const arcHeight = 0.92;
 /** One piece of a circle. */
 const piece = Math.PI / 36;
 
@@ -64,7 +69,8 @@ export function axesOf(
       tip: "arrow",
     })),
     labels: ends.map((end, at) => ({
-      at: times(end, length + 0.14),
+      tip: times(end, length),
+      from: origin,
       text: letters[at] ?? "",
       frame,
       pen: `${pens}-${letters[at]}`,
@@ -117,8 +123,7 @@ export function turningAxis(
   const middle = directionOf(towards) ?? acrossOf(axis);
   const start = turned(times(middle, arcRadius), turnAbout(axis, -angleRad / 2));
   const up = times(axis, arcHeight);
-  // The label follows the tip of the arrow.
-  const beyond = turned(times(middle, arcRadius + 0.2), turnAbout(axis, angleRad / 2 + 0.45));
+  const end = turned(times(middle, arcRadius), turnAbout(axis, angleRad / 2));
   const round = withTip(arc(start, turning, "turn")).map((line) => ({
     ...line,
     from: plus(line.from, up),
@@ -126,10 +131,10 @@ export function turningAxis(
   }));
   return {
     lines: [
-      { from: times(axis, -axisReach), to: times(axis, axisReach), pen: "turn-axis" },
+      { from: times(axis, -axisDepth), to: times(axis, axisReach), pen: "turn-axis" },
       ...round,
     ],
-    labels: [{ at: plus(beyond, up), text: angleWords, pen: "turn" }],
+    labels: [{ tip: plus(end, up), from: up, text: angleWords, pen: "turn" }],
   };
 }
 
@@ -143,7 +148,7 @@ export function vectorArrow(
   if (direction === undefined) return { lines: [], labels: [] };
   return {
     lines: [{ from: origin, to: times(direction, vectorLength), pen, tip: "arrow" }],
-    labels: [{ at: times(direction, vectorLength + 0.15), text, pen }],
+    labels: [{ tip: times(direction, vectorLength), from: origin, text, pen }],
   };
 }
 

@@ -12,9 +12,9 @@ export interface Face {
   strokes: readonly (readonly [Vector, Vector])[];
 }
 
-const [back, shoulder, tip] = [-0.62, 0.34, 0.66];
-const [halfWidth, halfHeight] = [0.4, 0.25];
-const [tipWidth, tipHeight] = [0.15, 0.1];
+const [back, shoulder, tip] = [-0.56, 0.3, 0.6];
+const [halfWidth, halfHeight] = [0.36, 0.22];
+const [tipWidth, tipHeight] = [0.14, 0.09];
 
 const at = (x: number, y: number, z: number): Vector => [x, y, z];
 /** Four corners about the x axis, from y, z both positive. */
@@ -82,7 +82,7 @@ function face(
 }
 
 /** Letters stand beside the axis, which comes out of the middle of a side. */
-const [mx, length] = [-0.36, 0.28];
+const [mx, length] = [-0.32, 0.24];
 const [top, right, bottom, left] = sidesOf(rear, middle) as [
   Vector[],
   Vector[],
@@ -97,5 +97,5 @@ export const faces: readonly Face[] = [
   face(bottom),
   face(left, "y", written("y", [at(mx, halfWidth, 0), at(-1, 0, 0), at(0, 0, 1)], length)),
   ...sidesOf(middle, front).map((corners) => face(corners)),
-  face(front, "x", written("x", [at(tip, 0, 0), at(0, 1, 0), at(0, 0, 1)], 0.13)),
+  face(front, "x", written("x", [at(tip, 0, 0), at(0, 1, 0), at(0, 0, 1)], 0.12)),
 ];

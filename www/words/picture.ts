@@ -11,10 +11,10 @@ export const pictureWords = {
     passive: { name: "Passive", meaning: "the axes move" },
     active: { name: "Active", meaning: "the vector moves" },
   } satisfies Record<Reading, { name: string; meaning: string }>,
-  both: (other: string, direction: string) => `Also read as ${other}, ${direction}`,
+  both: (other: string) => `Also as ${other}`,
   save: "Save SVG",
   reset: "First view",
-  hands: "Drag to look round; drag the body to turn it.",
+  hands: "Drag to look; drag the body to turn it",
   keys: "Arrow keys look round, with Shift they turn the body; Page Up and Page Down roll it.",
   lookOnly: "Drag or use the arrow keys to look round.",
   inWords: "In words",
@@ -22,6 +22,8 @@ export const pictureWords = {
 };
 
 export const readPictureLabel = "Picture of the turn";
+
+export const noTurnName = "no turn";
 
 export const noTurnWords = "No turn: the body axes B stand on the world axes W.";
 

@@ -57,13 +57,12 @@ export const part = (page: Page, name: string) =>
 export const fromX = "look=0,0";
 export const stage = (page: Page) => page.getByRole("application", { name: "Picture of the turn" });
 
-/** The middle of the body, as the finger meets it, and how many pixels a unit of paper has. */
+/** The middle of the body, as the finger meets it. */
 export async function bodyOn(page: Page) {
   await stage(page).evaluate((node) => node.scrollIntoView({ block: "center" }));
   const box = await stage(page).boundingBox();
   if (!box) throw new Error("no picture");
-  const unit = box.width / 360;
-  return { box, unit, x: box.x + box.width / 2 + 4, y: box.y + box.height / 2 + 12 };
+  return { box, x: box.x + box.width / 2 + 4, y: box.y + box.height / 2 + 12 };
 }
 
 /** Tabs from the start of the page until the element has the focus. */

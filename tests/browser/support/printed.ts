@@ -3,8 +3,8 @@ import { inflateSync } from "node:zlib";
 import type { Page } from "@playwright/test";
 
 /** How many pieces of text stand on each page of a print on A4, as Chromium writes it. */
-export async function piecesPrinted(page: Page): Promise<number[]> {
-  const pdf = await page.pdf({ format: "A4" });
+export async function piecesPrinted(page: Page, bottomMarginPx: number): Promise<number[]> {
+  const pdf = await page.pdf({ format: "A4", margin: { bottom: bottomMarginPx } });
   const source = pdf.toString("latin1");
   const contents = [...source.matchAll(/\/Type\s*\/Page\b[\s\S]*?\/Contents (\d+) 0 R/g)];
   const stream = "stream\n";

@@ -126,6 +126,23 @@ test("what settles something comes before what declares", async ({ page }) => {
   await expect(quaternionField(page)).toHaveValue("w=0.6 x=0 y=0 z=-0.8");
 });
 
+test("the key does what the button says that shows it, and the list of keys says so", async ({
+  page,
+}) => {
+  await page.goto("/");
+  await type(page, "0.02 -0.01 0.38 0.92");
+  // The first of the two would declare another order.
+  await expect(page.locator(".notes .fix-label")).toHaveText(["Read as x y z w", "Write q/|q|"]);
+  await expect(page.locator(".fix", { hasText: "Alt+Enter" })).toHaveText(/^Write q\/\|q\|/);
+  await expect(page.locator("[aria-keyshortcuts='Alt+Enter']")).toHaveCount(1);
+  await page.keyboard.press("Alt+Enter");
+  await expect(quaternionField(page)).toHaveValue(/^w=0\.020087/);
+  await expect(page).not.toHaveURL(/order=/);
+  await page.getByRole("button", { name: "Keyboard shortcuts" }).click();
+  const row = page.locator(".shortcuts div", { hasText: "Alt+Enter" });
+  await expect(row.getByRole("definition")).toHaveText(/as the button says that shows these keys/);
+});
+
 test("the other unit by its own button, and the focus goes to the text", async ({ page }) => {
   await page.goto("/");
   await type(page, "ZYX 30 20 10");

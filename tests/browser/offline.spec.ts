@@ -119,14 +119,14 @@ test("a new version waits until it is asked for, and then keeps what was typed",
   site.publish("Version two");
   await page.reload();
   await expect(newVersion(page)).toBeVisible(aWhile);
-  await expect(page).toHaveTitle(/^quatlas/);
+  await expect(page).toHaveTitle(/ · quatlas$/);
   expect(await violationsOf(page)).toEqual([]);
   const before = await page.evaluate(() => caches.keys());
 
   await page.getByRole("button", { name: "Later" }).click();
   await expect(newVersion(page)).toBeHidden();
   await page.reload();
-  await expect(page).toHaveTitle(/^quatlas/);
+  await expect(page).toHaveTitle(/ · quatlas$/);
   await expect(newVersion(page)).toBeVisible(aWhile);
 
   await quaternionField(page).fill("0 0 0.6 0.8");
@@ -161,7 +161,7 @@ test("another tab goes on in the version before, with its parts, until it is rel
   await expect(newVersion(another)).toBeVisible(aWhile);
   await reloadIntoNewVersion(page, "Version two");
 
-  await expect(another).toHaveTitle(/^quatlas/);
+  await expect(another).toHaveTitle(/ · quatlas$/);
   await expect(quaternionField(another)).toHaveValue("0 1 0 0");
   // The server has this script no more.
   const isThere = await another.evaluate(async () => {
@@ -212,7 +212,7 @@ test("a version that is published by half is not kept", async ({ page, site }) =
   expect(await install()).toBe("redundant");
   await expect(newVersion(page)).toBeHidden();
   await page.reload();
-  await expect(page).toHaveTitle(/^quatlas/);
+  await expect(page).toHaveTitle(/ · quatlas$/);
   writeFileSync(path, whole);
   expect(await install()).toBe("installed");
   await expect(newVersion(page)).toBeVisible(aWhile);

@@ -131,7 +131,10 @@ function currentNotes(store: Store): readonly Note[] {
   return result?.freshness === "current" ? result.report.notes : [];
 }
 
-/** The fix that the key applies in a field: one that settles something, before another declaration. */
+/**
+ * The fix that the key applies in a field, which its button says: one that settles something before
+ * another declaration, also where that stands first. Nobody changes a convention by a habit of the hand.
+ */
 export function keyFix(store: Store, field: Field): Fix | undefined {
   const ofProblem = fixOfProblem(store, field);
   if (ofProblem !== undefined) return ofProblem;

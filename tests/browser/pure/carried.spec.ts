@@ -119,6 +119,9 @@ test("the numbers of Read are the same attitude in every view, in all convention
       expect(declaredConvention(opened(target, quaternion))).toEqual(convention);
     }
     expect(opened("translate", quaternion).from).toEqual({ kind: "convention", convention });
+    // In the order that is declared, as the numbers beside it stand.
+    const first = convention.order === "scalar-first" ? /^w=0\.1 x=-0\.2 / : /^x=0\.1 y=-0\.2 /;
+    expect(opened("read", quaternion).quaternion).toMatch(first);
     expect(ask(opened("read", quaternion), "read").declared.quaternion.array).toEqual([
       0.1, -0.2, 0.4, 0.888819441731559,
     ]);

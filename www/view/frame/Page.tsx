@@ -1,5 +1,6 @@
 // The frame of the page: name, views, the view itself, and what is said aloud.
 import type { VNode } from "preact";
+import { version } from "../../../package.json";
 import type { Digits, Unit, View } from "../../model/page_state.ts";
 import { repositoryLinks } from "../../model/repository.ts";
 import { shown, shownAngle, shownAxis } from "../../number/format.ts";
@@ -17,7 +18,7 @@ import { Overlay } from "./Overlay.tsx";
 import { NewerLink, Share, Version } from "./Share.tsx";
 import { Parts, Tabs } from "./Tabs.tsx";
 import { Tools } from "./Tools.tsx";
-import { useCaseTitle } from "./title.ts";
+import { shownCase, useCaseTitle } from "./title.ts";
 import "./page.css";
 
 /** The views of the first load. */
@@ -72,7 +73,21 @@ function Colophon() {
         ))}
         <a href="./licences.txt">{words.licences}</a>
       </p>
+      <PrintedCase />
     </footer>
+  );
+}
+
+/** On paper only: what was printed, as a link, and the address for who has the paper alone. */
+function PrintedCase() {
+  const shown = shownCase.value;
+  if (shown === undefined) return null;
+  return (
+    <p class="printed-case">
+      <a href={shown.address}>{shown.title}</a> {version}
+      <br />
+      {shown.address}
+    </p>
   );
 }
 

@@ -1,6 +1,5 @@
 // The link, the link as Markdown and the sentence that cites the case. Loaded when it is opened.
 import { version } from "../../../package.json";
-import { versionedFragment } from "../../address/fragment.ts";
 import { citeCompose, citeRead, citeTranslation, markdownLink } from "../../copy/cite.ts";
 import { putOnClipboard } from "../../dom/clipboard.ts";
 import { announceVisibly } from "../../state/announcement.ts";
@@ -8,7 +7,7 @@ import type { Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { panelWords as words } from "../../words/frame/share_panel.ts";
 import { Popup } from "../parts/Popup.tsx";
-import { caseTitle, current, endNameOf } from "./case_title.ts";
+import { caseTitle, current, endNameOf, sharedAddress } from "./case_title.ts";
 import "./share_panel.css";
 
 export interface PanelProps {
@@ -18,7 +17,7 @@ export interface PanelProps {
 }
 
 export function SharePanel({ store, anchor, close }: PanelProps) {
-  const link = `${location.href.split("#")[0]}#${sharedFragment(store)}`;
+  const link = sharedAddress(store);
   const sentence = sentenceOf(store);
   return (
     <Popup anchor={anchor} close={close} role="dialog" label={words.panel} kind="share-panel">
@@ -47,12 +46,6 @@ function Line({ name, text }: { name: string; text: string }) {
       <span class="share-text">{text}</span>
     </button>
   );
-}
-
-/** The address of the state, always with its version; a link of a newer quatlas stays what it is. */
-function sharedFragment(store: Store): string {
-  if (store.isLinkNewer.value) return location.hash.replace(/^#/, "");
-  return versionedFragment(store.state.value);
 }
 
 /** The sentence of a view that shows a case: empty while its text has a problem. */

@@ -1,4 +1,5 @@
-// What the page shows, in the words of a title. Loaded after the first result, and with sharing.
+// What the page shows, in the words of a title, and its address. Loaded after the first result, and with sharing.
+import { versionedFragment } from "../../address/fragment.ts";
 import { composeTitle, readTitle, translateTitle } from "../../copy/title.ts";
 import type { Endpoint } from "../../engine.ts";
 import type { Shown, Store } from "../../state/store.ts";
@@ -32,6 +33,12 @@ function caseWords(store: Store): string | undefined {
   function named(name: string) {
     return name === "" ? undefined : words.part(name, viewNames[view]);
   }
+}
+
+/** The address of what is shown, always with its version; a link of a newer quatlas stays what it is. */
+export function sharedAddress({ state, isLinkNewer }: Store): string {
+  if (isLinkNewer.value) return location.href;
+  return `${location.href.split("#")[0]}#${versionedFragment(state.value)}`;
 }
 
 /** What is said of a result that is of the texts as they are now. */

@@ -41,7 +41,7 @@ export const shortcutWords: Record<ShortcutName, string> = {
   help: "Open this list",
   undo: "Undo",
   redo: "Redo",
-  mend: "Mend the text of the field as the first button says",
+  mend: "Fix the text of a field as the button says that shows these keys",
 };
 
 /** What the keys do in the numbers of the result, and in one that is edited. */
@@ -75,5 +75,5 @@ export const orWord = "or";
 export const thenWord = "then";
 
 export const whereTheyAct =
-  "A key alone acts while no text field has the focus. Undo, redo and mending act in text fields too. On the picture the arrow keys look round, and with Shift they turn the body.";
+  "A key alone acts while no text field has the focus. Undo, redo and fixing act in text fields too. On the picture the arrow keys look round, and with Shift they turn the body.";
 export const remembered = "The theme and this choice are remembered in this browser only.";

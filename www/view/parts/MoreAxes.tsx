@@ -31,7 +31,8 @@ export function MoreAxes({ store }: { store: Store }) {
     <details class="more">
       <summary>
         {words.more}{" "}
-        <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
+        <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>{" "}
+        {words.choices}
       </summary>
       <div class="more-panel">
         <div class="named-conventions">

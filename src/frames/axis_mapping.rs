@@ -73,9 +73,7 @@ pub struct OneSidedReflection;
 
 impl fmt::Display for OneSidedReflection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "axes of the other hand on one side only make a reflection, which no quaternion is",
-        )
+        f.write_str("only one side changes handedness: a reflection, which has no quaternion")
     }
 }
 
@@ -277,7 +275,10 @@ impl fmt::Display for AxisMapping {
 /// Where the three axes of a system point, by letters.
 fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
     let unknown = || UnknownAxes {
-        message: format!("{} names no axes", shorten(name.trim(), QUOTED_CHARACTERS)),
+        message: format!(
+            "{} is not a known system of axes",
+            shorten(name.trim(), QUOTED_CHARACTERS)
+        ),
     };
     let trimmed = name.trim().to_ascii_lowercase();
     let named = NAMED_AXES.iter().find(|(known, _)| *known == trimmed);
@@ -324,7 +325,7 @@ fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes>
         })
     };
     let unrelated = || UnknownAxes {
-        message: "one of the two is of a body and the other of the world".to_owned(),
+        message: "one system is of a body and the other of the world".to_owned(),
     };
     let [x, y, z] = to.map(|letter| source(letter).ok_or_else(unrelated));
     Ok(AxisMapping { axes: [x?, y?, z?] })
@@ -332,7 +333,7 @@ fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes>
 
 fn signed_permutation(text: &str) -> Result<AxisMapping, UnknownAxes> {
     let unknown = || UnknownAxes {
-        message: "this is no mapping of axes".to_owned(),
+        message: "this is not a mapping of axes".to_owned(),
     };
     let compact: String = text
         .chars()
@@ -361,7 +362,7 @@ fn signed_permutation(text: &str) -> Result<AxisMapping, UnknownAxes> {
     }
     if x == y || y == z || x == z {
         return Err(UnknownAxes {
-            message: "an old axis stands twice, so another one is lost".to_owned(),
+            message: "one axis appears twice, so another one is missing".to_owned(),
         });
     }
     Ok(AxisMapping { axes })

@@ -252,13 +252,19 @@ impl Wanted {
         }
     }
 
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Quaternion => "quaternion",
+            Self::Vector => "vector",
+        }
+    }
+
     pub(crate) const fn in_words(self) -> &'static str {
         match self {
             Self::Quaternion => {
-                "a rotation: the numbers of a quaternion, or axis and angle, a rotation vector, \
-                 Euler angles, a matrix"
+                "a quaternion, axis and angle, a rotation vector, Euler angles or a matrix"
             }
-            Self::Vector => "a vector: three numbers, or named components x, y and z",
+            Self::Vector => "a vector: three numbers, or x, y and z by name",
         }
     }
 

@@ -195,10 +195,10 @@ pub(crate) fn read_rotation(text: &str, declared: ComponentOrder) -> Result<Rota
 ///     let parsed = parse_quaternion(text, ComponentOrder::ScalarFirst);
 ///     parsed.unwrap_err().to_string()
 /// };
-/// assert_eq!(refused("1 0 0"), "3 numbers in place of 4");
+/// assert_eq!(refused("1 0 0"), "3 numbers: a quaternion has 4");
 /// assert_eq!(
 ///     refused("rotvec 0 0 1"),
-///     "this is a rotation vector, and a quaternion is wanted here"
+///     "this is a rotation vector, a quaternion is needed here"
 /// );
 /// # Ok::<(), quatlas::Fault>(())
 /// ```
@@ -238,7 +238,7 @@ pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
 /// ```
 /// use quatlas::parse_number;
 /// assert_eq!(parse_number("-1/4")?, -0.25);
-/// assert_eq!(parse_number("1 2").unwrap_err().to_string(), "2 numbers in place of 1");
+/// assert_eq!(parse_number("1 2").unwrap_err().to_string(), "2 numbers: 1 is needed");
 /// # Ok::<(), quatlas::Fault>(())
 /// ```
 pub fn parse_number(text: &str) -> Result<f64, Fault> {

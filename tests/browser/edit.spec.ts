@@ -230,7 +230,9 @@ test("a matrix half typed stays as it is, with its problem, beside the last resu
   await cell.focus();
   await page.keyboard.type("1/");
   await expect(cell).toHaveAttribute("aria-invalid", "true");
-  await expect(cell).toHaveAccessibleDescription(/cannot stand here/);
+  await expect(cell).toHaveAccessibleDescription(
+    /unexpected “\)”\. Expected: a number or a name\./,
+  );
   await expect(field(page, "R(q), row 1, column 1")).toHaveAttribute("aria-invalid", "false");
   await expect(quaternionField(page)).toHaveValue("[1, 0, 0; 0, (1/), 0; 0, 0, 1]");
   await expect(page.locator(".result")).toHaveClass(/old/);
@@ -250,7 +252,9 @@ test("what is wrong with all nine numbers is said of all", async ({ page }) => {
   await edit(page, "R(q), row 3, column 3", "-1");
   const invalid = page.locator(".number[aria-invalid=true]");
   await expect(invalid).toHaveCount(9);
-  await expect(invalid.first()).toHaveAccessibleDescription(/mirror image/);
+  await expect(invalid.first()).toHaveAccessibleDescription(
+    /this matrix is a reflection, not a rotation/,
+  );
   expect(await violationsOf(page)).toEqual([]);
 });
 
@@ -300,7 +304,7 @@ test("the arrow keys step a number", async ({ page }) => {
 
 test("the axis of no turn can still be given an angle", async ({ page }) => {
   await openNoTurn(page);
-  await expect(page.getByText("This is no turn at all.")).toBeVisible();
+  await expect(page.getByText("This is the identity: no rotation.")).toBeVisible();
   const angle = field(page, "angle in degrees");
   await angle.focus();
   await page.keyboard.press("Enter");
@@ -444,7 +448,7 @@ test("what is wrong in a number stands under it, and Alt+Enter mends it there", 
   await pitch.focus();
   await page.keyboard.press("Backspace");
   await expect(page.locator(".number-problem")).toHaveText("A number is missing here.");
-  await expect(pitch).toHaveAccessibleDescription(/a number is missing where the \? stands/);
+  await expect(pitch).toHaveAccessibleDescription(/the \? stands for a missing number/);
   await page.keyboard.type("20");
   await expect(page.locator(".number-problem")).toHaveCount(0);
 });

@@ -107,29 +107,33 @@ test("a small turn alone settles nothing of its axes and its sign; the quarter t
   await page.keyboard.type("0.474 0.524 0.474 0.524");
   await page.keyboard.press("Enter");
   await expect(page.locator(".choices")).toContainText("0 of 3 settled");
-  const axes = row(page, "Small turn on the axes of");
-  const sign = row(page, "Small turn φ turns the body by");
+  const axes = row(page, "Small rotation about the axes of");
+  const sign = row(page, "Small rotation φ turns the body by");
   for (const choice of [axes, sign, row(page, "Body yawed")]) {
     await expect(choice.locator(".open")).toHaveCount(2);
   }
-  await expect(sentence(page)).not.toContainText("small turn");
+  await expect(sentence(page)).not.toContainText("small rotation");
   const follows = page.getByRole("region", { name: "Between Hamilton and JPL" });
-  await expect(follows).toContainText("show only with a body turned by a quarter");
-  await expect(page.getByRole("heading", { name: "a body turned by a quarter" })).toBeVisible();
+  await expect(follows).toContainText(
+    "The axes and the sign of a small rotation show only with a body turned by 90°.",
+  );
+  await expect(page.getByRole("heading", { name: "a body turned by 90°" })).toBeVisible();
   await page.keyboard.type("0.707 0 0 -0.707");
   await page.keyboard.press("Enter");
   await expect(page.locator(".left")).toHaveText("1 of 256 behaviours is left");
   await expect(axes.locator(".settled")).toContainText("the body");
   await expect(sign.locator(".settled")).toContainText("−φ, formal sign");
   await expect(sentence(page)).toContainText(
-    "adds small turns on the axes of the body with the formal sign (phi turns the body by -phi)",
+    "adds small rotations about the axes of the body with the formal sign (phi turns the body by -phi)",
   );
-  await expect(follows).toContainText("on the axes of the body turns the body by −φ, formal sign");
+  await expect(follows).toContainText(
+    "about the axes of the body turns the body by −φ, formal sign",
+  );
   // Another small turn that disagrees does so about its sign alone.
-  await page.getByRole("button", { name: /^a small turn added/ }).click();
+  await page.getByRole("button", { name: /^a small rotation added/ }).click();
   await printed(page, 6).fill("0.524 0.474 0.524 0.474");
   await expect(page.locator(".contradiction")).toContainText(
-    "Observations 4 and 6 cannot both be true: they disagree about the sign of a small turn.",
+    "Observations 4 and 6 cannot both be true: they disagree about the sign of a small rotation.",
   );
   await expect(page.locator(".claims tr")).toContainText(["−φ, formal sign", "φ, physical sign"]);
 });
@@ -189,7 +193,9 @@ test("a contradiction shows the pair and loses nothing", async ({ page }) => {
   await expect(page.locator(".claims tr")).toContainText(["Hamilton", "Shuster"]);
   await expect(page.getByRole("status")).toContainText("Observations 1 and 3 contradict");
   // What was known before stands, marked as old; what was typed stays.
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(
+    page.getByText("Showing the last valid result, from before the contradiction."),
+  ).toBeVisible();
   await expect(row(page, "Product").locator(".settled")).toContainText("Hamilton");
   await expect(last).toHaveValue("0 0 0 -1");
   await expect(last).toHaveAttribute("aria-invalid", "true");
@@ -205,12 +211,16 @@ test("a text that cannot be read is marked in place and takes nothing away", asy
   await page.keyboard.press("End");
   await page.keyboard.type(" oops");
   await expect(page.locator(".observation mark")).toHaveText("oops");
-  await expect(vector).toHaveAccessibleDescription(/oops is not a number/);
+  await expect(vector).toHaveAccessibleDescription(/oops is not a known number, unit or function/);
   await expect(page.getByRole("status")).toContainText("Problem in observation 2: oops");
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(
+    page.getByText("Showing the last valid result, from before the change of observation 2."),
+  ).toBeVisible();
   await expect(row(page, "Rotates a column by").locator(".settled")).toContainText("R(q)");
   for (const _ of " oops") await page.keyboard.press("Backspace");
-  await expect(page.getByText("What stands below is the last result")).toBeHidden();
+  await expect(
+    page.getByText("Showing the last valid result, from before the change of observation 2."),
+  ).toBeHidden();
   await vector.fill("5 6 7");
   await expect(told(page, 2)).toContainText("No behaviour prints this");
 });

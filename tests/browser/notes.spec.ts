@@ -156,14 +156,14 @@ test("nearly no turn and nearly half a turn stand beside axis and angle", async 
   await page.goto("/");
   const turn = page.locator(".fact", { hasText: "Axis and angle" });
   await type(page, "rotvec 0 0 0.00005");
-  await expect(turn).toContainText("Nearly no turn, 0.0029° (0.00005 rad)");
+  await expect(turn).toContainText("Nearly no rotation, 0.0029° (0.00005 rad)");
   await expect(turn).toContainText("off by up to 2°");
   await type(page, "179.9995° about x");
   await expect(turn).toContainText("Nearly half a turn, short of it by 0.0005°");
   await type(page, "180° about x");
   await expect(turn).toContainText("the axis and its opposite are equally right");
   await type(page, "1 + 0k");
-  await expect(turn).toContainText("no turn at all");
+  await expect(turn).toContainText("This is the identity: no rotation.");
   await type(page, "90° about x");
   await expect(turn).toContainText("Carries the world axes onto the body axes");
 });
@@ -192,21 +192,31 @@ test("gimbal lock says which angle is lost, what survives, and how far it is", a
   await type(page, "ZYX 30° 90° 10°");
   const lock = page.locator(".gimbal-lock");
   await expect(lock).toHaveText(/^Gimbal lock: .*only yaw − roll = 20/);
-  await expect(lock).toContainText(/(roll|yaw) is lost and set to 0/);
+  await expect(lock).toContainText(/(roll|yaw) is set to 0/);
 });
 
 /** A text with a problem, what is said of it, and what the key writes in its place. */
 const problems: [typed: string, said: RegExp, label: string, written: string][] = [
-  ["[0.6, 0, 0, 0.8", /never closed/, "Mend the brackets", "[0.6, 0, 0, 0.8]"],
-  ["0,6 0 0 0,8", /commas stand between/, "Write decimal points", "0.6 0 0 0.8"],
-  ["0.6，0，0，0.8", /has no meaning/, "Write plain characters", "0.6,0,0,0.8"],
-  ["0.6 0.8k", /no \+ or -/, "Add the sign", "0.6 + 0.8k"],
+  ["[0.6, 0, 0, 0.8", /the bracket \[ is never closed/, "Fix the brackets", "[0.6, 0, 0, 0.8]"],
+  [
+    "0,6 0 0 0,8",
+    /commas between some numbers, only spaces between others/,
+    "Write decimal points",
+    "0.6 0 0 0.8",
+  ],
+  ["0.6，0，0，0.8", /unexpected character ，/, "Write plain characters", "0.6,0,0,0.8"],
+  ["0.6 0.8k", /missing \+ or - before this term/, "Add the sign", "0.6 + 0.8k"],
   ["w=0.6 z=0.8", /x, y are missing/, "Write 0 for what is missing", "w=0.6 z=0.8 x=0 y=0"],
-  ["0 0 0 0", /not a rotation/, "Write the identity, no turn", "w=1 x=0 y=0 z=0"],
+  [
+    "0 0 0 0",
+    /all four components are zero: this is not a rotation/,
+    "Write the identity",
+    "w=1 x=0 y=0 z=0",
+  ],
   [
     "1 0 0 0 1 0 0 0 -1",
-    /mirror image.*the z axis is flipped/,
-    "Turn the axis round",
+    /this matrix is a reflection, not a rotation: the z axis is flipped/,
+    "Flip the axis",
     rows("1 0 0", "0 1 0", "0 0 1"),
   ],
   [
@@ -238,7 +248,7 @@ for (const [typed, said, label, written] of problems) {
 test("a problem that can only be guessed offers nothing", async ({ page }) => {
   await page.goto("/");
   await type(page, "1 2 3");
-  await expect(page.locator(".problem-message")).toHaveText(/3 numbers in place of 4/);
+  await expect(page.locator(".problem-message")).toHaveText(/3 numbers: a quaternion has 4/);
   await expect(page.locator(".fix", { hasText: "Alt" })).toHaveCount(0);
   await page.keyboard.press("Alt+Enter");
   await expect(quaternionField(page)).toHaveValue("1 2 3");
@@ -298,7 +308,7 @@ test("notes with their buttons have no violations", async ({ page }) => {
 
 test("a problem with its button has no violations", async ({ page }) => {
   await page.goto("/#read?quaternion=1+0+0+0+1+0+0+0+-1");
-  await expect(fix(page, /^Turn the axis round/)).toBeVisible();
+  await expect(fix(page, /^Flip the axis/)).toBeVisible();
   expect(await violationsOf(page)).toEqual([]);
 });
 

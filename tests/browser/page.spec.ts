@@ -63,15 +63,17 @@ test("an error keeps the last good result, says where it is, and is recovered fr
   await page.keyboard.type(" oops");
   const field = quaternionField(page);
   await expect(field).toHaveAttribute("aria-invalid", "true");
-  await expect(field).toHaveAccessibleDescription(/oops is not a number, a unit or a function/);
+  await expect(field).toHaveAccessibleDescription(/oops is not a known number, unit or function/);
   await expect(page.locator("mark")).toHaveText("oops");
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(page.getByText("Showing the last valid result.", { exact: true })).toBeVisible();
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
-  await expect(page.getByRole("status")).toHaveText(/^Problem in q: oops is not a number/);
+  await expect(page.getByRole("status")).toHaveText(
+    /^Problem in q: oops is not a known number, unit or function\./,
+  );
 
   for (const _ of " oops") await page.keyboard.press("Backspace");
   await expect(field).toHaveAttribute("aria-invalid", "false");
-  await expect(page.getByText("What stands below is the last result")).toBeHidden();
+  await expect(page.getByText("Showing the last valid result.", { exact: true })).toBeHidden();
 });
 
 test("the place of a problem stands right after an emoji", async ({ page }) => {
@@ -102,8 +104,8 @@ test("reloading the address gives the same page", async ({ page }) => {
 
 test("an address with a problem opens on the example, marked as such", async ({ page }) => {
   await page.goto("/#read?quaternion=1+2+3");
-  await expect(page.getByText("q: 3 numbers in place of 4.", { exact: true })).toBeVisible();
-  await expect(page.getByText("What stands below is the example")).toBeVisible();
+  await expect(page.getByText("q: 3 numbers: a quaternion has 4.", { exact: true })).toBeVisible();
+  await expect(page.getByText("Showing the opening example.", { exact: true })).toBeVisible();
   await expect(matrix(page, "R(q)")).toBeVisible();
 });
 

@@ -37,26 +37,26 @@ test("both columns say what they multiply, and small turns on the world's axes c
   await expect(rules("Hamilton").getByRole("listitem")).toHaveText([
     "By labels qBC∘qAB is qAC.",
     "A camera C on the body B: qWB∘qBC is its quaternion in the world.",
-    "A small turn on the body's axes: q∘δq.",
-    "The body's rate: q̇ = ½ q∘ω.",
+    "A small rotation about the body's axes: q∘δq.",
+    "The body's angular velocity: q̇ = ½ q∘ω.",
   ]);
   await expect(rules("JPL").getByRole("listitem")).toHaveText([
     "By labels qBC∘qAB is qAC.",
     "A camera C on the body B: qBC∘qWB is its quaternion in the world.",
-    "A small turn on the body's axes: δq∘q.",
-    "The body's rate: q̇ = ½ ω∘q.",
+    "A small rotation about the body's axes: δq∘q.",
+    "The body's angular velocity: q̇ = ½ ω∘q.",
   ]);
   await page.locator(".more > summary").click();
   await page.getByRole("radio", { name: /^global/ }).check();
-  await expect(rules("Hamilton")).toContainText("A small turn on the world's axes: δq∘q.");
-  await expect(rules("JPL")).toContainText("A small turn on the world's axes: q∘δq.");
+  await expect(rules("Hamilton")).toContainText("A small rotation about the world's axes: δq∘q.");
+  await expect(rules("JPL")).toContainText("A small rotation about the world's axes: q∘δq.");
   await expect(rules("JPL")).toContainText("q̇ = ½ ω∘q");
 });
 
 test("conventions with a name are one click away, My Lab with its matrix", async ({ page }) => {
   await page.goto("/#read?quaternion=rotvec+0.4+-0.7+1.1");
   await page.locator(".more > summary").click();
-  const named = page.getByRole("list", { name: "Conventions with a name" });
+  const named = page.getByRole("list", { name: "Named conventions" });
   const button = (name: RegExp) => named.getByRole("button", { name });
   await expect(button(/^Hamilton$/)).toHaveAttribute("aria-pressed", "true");
   await button(/My Lab/).click();

@@ -206,12 +206,14 @@ test("axes of the other hand on one side only are refused, and mended by one but
   await page.locator("summary", { hasText: "Axes" }).click();
   await page.getByRole("textbox", { name: "axes of the world" }).fill("ROS to Unity");
   await expect(page.locator(".problem")).toContainText("which makes a reflection");
-  await expect(page.locator(".problem")).toContainText("Try the same change of axes on both sides");
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(page.locator(".problem")).toContainText(
+    "Try: the same change of axes on both sides",
+  );
+  await expect(page.getByText("Showing the last valid result.", { exact: true })).toBeVisible();
   await expect(strip(page, 1)).toHaveText(["0.888819", "0.100000", "−0.200000", "0.400000"]);
   await tabTo(page, page.getByRole("button", { name: "Same for the body" }));
   await page.keyboard.press("Enter");
-  await expect(page.locator(".hand-words")).toContainText("Both change the hand of the axes");
+  await expect(page.locator(".hand-words")).toContainText("Both change the handedness of the axes");
   // Unity's axes are −y, z, x of ROS, and an axis of rotation is mirrored once more.
   await expect(strip(page, 1)).toHaveText(["0.888819", "−0.200000", "−0.400000", "−0.100000"]);
   await page.getByRole("textbox", { name: "axes of the body" }).fill("x x y");
@@ -238,7 +240,7 @@ test("an error keeps the last result, with the place marked", async ({ page }) =
   await expect(strip(page, 1)).toHaveText(["0.800000", "0", "0", "0.600000"]);
   await page.keyboard.type(" oops");
   await expect(page.locator("mark")).toHaveText("oops");
-  await expect(page.getByText("What stands below is the last result")).toBeVisible();
+  await expect(page.getByText("Showing the last valid result.", { exact: true })).toBeVisible();
   await expect(strip(page, 1)).toHaveText(["0.800000", "0", "0", "0.600000"]);
   await expect(page.getByRole("status")).toHaveText(/^Problem in q: oops/);
 });

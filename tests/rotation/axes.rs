@@ -104,7 +104,11 @@ fn new_axes_in_terms_of_the_old() {
         "y x", "y x z x", "y x z-", "--x y z", "x.y.z", "no", "a b c",
     ] {
         let unknown = text.parse::<AxisMapping>().expect_err(text);
-        assert_eq!(unknown.to_string(), "this is no mapping of axes", "{text}");
+        assert_eq!(
+            unknown.to_string(),
+            "this is not a mapping of axes",
+            "{text}"
+        );
     }
 }
 
@@ -168,13 +172,13 @@ fn new_axes_turn_the_attitude_exactly() {
     assert_eq!((turns, reflections), (1152, 1152));
     assert_eq!(
         OneSidedReflection.to_string(),
-        "axes of the other hand on one side only make a reflection, which no quaternion is"
+        "only one side changes handedness: a reflection, which has no quaternion"
     );
 }
 
 #[wasm_bindgen_test(unsupported = test)]
 fn an_old_axis_stands_once() {
-    let lost = Err("an old axis stands twice, so another one is lost".to_owned());
+    let lost = Err("one axis appears twice, so another one is missing".to_owned());
     for text in [
         "x y x", "x x y", "y x x", "z y z", "-x y x", "y -y z", "x x x",
     ] {
@@ -201,11 +205,11 @@ fn axes_of_a_body_and_of_the_world_are_not_mixed() {
     ] {
         assert_eq!(
             mapping(text),
-            Err(format!("{name} names no axes")),
+            Err(format!("{name} is not a known system of axes")),
             "{text}"
         );
     }
-    let mixed = "one of the two is of a body and the other of the world";
+    let mixed = "one system is of a body and the other of the world";
     assert_eq!(mapping("NED to FRD"), Err(mixed.to_owned()));
     assert_eq!(mapping("ROS to ENU"), Err(mixed.to_owned()));
 }

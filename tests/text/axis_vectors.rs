@@ -182,13 +182,13 @@ fn what_is_no_such_vector_is_refused() {
         ("halfangle 0.1 0.2", WrongCount, "0.1 0.2", "2 numbers"),
         ("gibbs 0 0 24 deg", MixedUnits, "0 0 24", "tangents"),
         ("mrp_deg: 0 0 24", MixedUnits, "0 0 24", "tangents"),
-        ("mrp 0 0 24deg", Unexpected, "24deg", "an angle"),
+        ("mrp 0 0 24deg", Unexpected, "24deg", "unexpected angle"),
         ("gibbs w=1 x=0 y=0 z=1", ScalarInVector, "w=1", "no scalar"),
         (
             "mrp roll=1 pitch=2 yaw=3",
             MixedNames,
             "roll",
-            "another description",
+            "two descriptions of a rotation are mixed here",
         ),
         ("gibbs_rate: 0 0 0.4", UnknownWord, "gibbs_rate", "a rate"),
         // One name for two vectors; a call says which.
@@ -205,7 +205,13 @@ fn what_is_no_such_vector_is_refused() {
         ParsedRotation::RotationVector(_)
     ));
     let vector = "mrp: 0 0 0.4";
-    check_refusal(Field::Vector, vector, UnknownWord, "mrp", "not applied");
+    check_refusal(
+        Field::Vector,
+        vector,
+        UnknownWord,
+        "mrp",
+        "is not supported here",
+    );
     for (text, what) in [
         ("gibbs 0 0 1", "a Gibbs vector"),
         ("mrp 0 0 1", "a set of modified Rodrigues parameters"),

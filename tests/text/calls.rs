@@ -95,7 +95,7 @@ fn the_euler_angles_of_three_js_turn_about_moving_axes() {
     ];
     for text in wrong {
         let code = ProblemCode::WrongCount;
-        check_refusal(Field::Quaternion, text, code, text, "not the arguments");
+        check_refusal(Field::Quaternion, text, code, text, "wrong arguments for ");
     }
     check_read(&[
         ("THREE.Euler(0.4, -0.6, 0.9)", "XYZ 0.4 -0.6 0.9"),
@@ -126,7 +126,7 @@ fn a_call_inside_other_calls_is_found() {
             &text,
             code,
             "AngleAxisd(0.5, Vector3d(0, 1, 0))",
-            "not applied",
+            "is not supported here",
         );
     }
     // A matrix of it is the same rotation, whichever of its numbers would be a row.
@@ -159,10 +159,22 @@ fn a_call_that_computes_is_not_passed_over() {
         "flip([[0, -1, 0], [1, 0, 0], [0, 0, 1]])",
     ];
     for text in calls {
-        check_refusal(Field::Quaternion, text, UnknownWord, text, "not applied");
+        check_refusal(
+            Field::Quaternion,
+            text,
+            UnknownWord,
+            text,
+            "is not supported here",
+        );
     }
     let vector = "flip(1, 2, 3)";
-    check_refusal(Field::Vector, vector, UnknownWord, vector, "not applied");
+    check_refusal(
+        Field::Vector,
+        vector,
+        UnknownWord,
+        vector,
+        "is not supported here",
+    );
     check_refused(&[
         (
             "Quaternion(AngleAxisd(0.5, Vector3d(0, 1, 0)), inverse=True)",
@@ -180,14 +192,14 @@ fn a_call_that_computes_is_not_passed_over() {
             "rotvec flip(1, 2, 3)",
             UnknownWord,
             "flip(1, 2, 3)",
-            "not a number",
+            "is not a known number, unit or function",
         ),
         // A component is a number, and no rotation.
         (
             "w: AngleAxisd(0.5, Vector3d(0, 1, 0))",
             UnknownWord,
             "AngleAxisd(0.5, Vector3d(0, 1, 0))",
-            "not a number",
+            "is not a known number, unit or function",
         ),
     ]);
 }
@@ -197,43 +209,48 @@ fn a_call_that_computes_is_not_passed_over() {
 fn arguments_that_a_call_does_not_take_are_refused() {
     use ProblemCode::{UnknownSequence, UnknownWord, WrongCount};
     check_refused(&[
-        ("tf2::Quaternion(z, 0.5)", UnknownWord, "z", "not a number"),
+        (
+            "tf2::Quaternion(z, 0.5)",
+            UnknownWord,
+            "z",
+            "is not a known number, unit or function",
+        ),
         (
             "mathutils.Quaternion(1, 2)",
             WrongCount,
             "mathutils.Quaternion(1, 2)",
-            "in place of 4",
+            "a quaternion has 4",
         ),
         (
             "q.setFromAxisAngle(0.5)",
             WrongCount,
             "q.setFromAxisAngle(0.5)",
-            "not the arguments",
+            "wrong arguments for ",
         ),
         (
             "np.matrix(5)",
             WrongCount,
             "np.matrix(5)",
-            "1 number in place of 9",
+            "1 number: a rotation matrix has 9",
         ),
         (
             "glm::mat3(1.0)",
             UnknownWord,
             "glm::mat3(1.0)",
-            "fills rows in some libraries",
+            "depends on the library: rows, columns or row vectors",
         ),
         (
             "quaternion_from_euler(0.1, 0.2, 0.3, 'sxyz', axes='rzyx')",
             UnknownWord,
             "'sxyz'",
-            "not a number",
+            "is not a known number, unit or function",
         ),
         // The axis of one angle is a letter.
         (
             "R.from_euler('z_axis', 0.5)",
             UnknownSequence,
             "'z_axis'",
-            "no Euler sequence",
+            "is not an Euler sequence",
         ),
     ]);
 }

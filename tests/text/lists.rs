@@ -44,55 +44,60 @@ fn what_stands_before_a_list_is_read_or_refused() {
             "transpose(1) [[0,-1,0],[1,0,0],[0,0,1]]",
             UnknownWord,
             "transpose(1)",
-            "transpose does",
+            "transpose is not supported before a list",
         ),
         (
             "R = inv(3) [[0,-1,0],[1,0,0],[0,0,1]]",
             UnknownWord,
             "inv(3)",
-            "inv does",
+            "inv is not supported before a list",
         ),
         (
             "matrix t(1) [[0,-1,0],[1,0,0],[0,0,1]]",
             UnknownWord,
             "t(1)",
-            "t does",
+            "t is not supported before a list",
         ),
         (
             "conj(2) [0.8, 0, 0.6, 0]",
             UnknownWord,
             "conj(2)",
-            "conj does",
+            "conj is not supported before a list",
         ),
         (
             "inverse(4) [0.8, 0, 0.6, 0]",
             UnknownWord,
             "inverse(4)",
-            "inverse does",
+            "inverse is not supported before a list",
         ),
         (
             "q_xyzw(1) [0, 0.6, 0, 0.8]",
             UnknownWord,
             "q_xyzw(1)",
-            "q_xyzw does",
+            "q_xyzw is not supported before a list",
         ),
         // Another number than that of the members is no length.
         (
             "Float32Array(9) [0.8, 0, 0.6, 0]",
             UnknownWord,
             "Float32Array(9)",
-            "Float32Array does",
+            "Float32Array is not supported before a list",
         ),
     ]);
     let of_vectors = [
         ("sqrt(2) [1, 0, 0]", Unexpected, "sqrt(2)", "a factor"),
         ("abs(2) [1, 2, 3]", Unexpected, "abs(2)", "a factor"),
-        ("cross(2) [1, 2, 3]", UnknownWord, "cross(2)", "cross does"),
+        (
+            "cross(2) [1, 2, 3]",
+            UnknownWord,
+            "cross(2)",
+            "cross is not supported before a list",
+        ),
         (
             "Vector3(2) [1, 2, 3]",
             UnknownWord,
             "Vector3(2)",
-            "Vector3 does",
+            "Vector3 is not supported before a list",
         ),
     ];
     for (text, code, place, word) in of_vectors {
@@ -212,7 +217,7 @@ fn one_matrix_or_call_in_json_is_read() {
             r#"{"x": [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]}"#,
             Unexpected,
             "[[0, 0, 1], [0, 1, 0], [-1, 0, 0]]",
-            "a list",
+            "unexpected list",
         ),
     ]);
 }
@@ -226,7 +231,7 @@ fn a_name_of_the_whole_stands_before_a_call() {
     }
     let text = "2, [0, 0, 1]";
     let code = ProblemCode::Unexpected;
-    check_refusal(Field::Vector, text, code, "[0, 0, 1]", "a list cannot");
+    check_refusal(Field::Vector, text, code, "[0, 0, 1]", "unexpected list");
 }
 
 /// What is closed does not count as open.

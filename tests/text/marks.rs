@@ -39,44 +39,48 @@ fn check_quaternions(expected: [f64; 4], texts: &[&str]) {
 fn a_line_that_is_drawn_looks_like_a_minus_where_it_may_be_one() {
     let texts = [
         // It touches a number, a letter, a bracket or a sign.
-        ("0.6 ─0.8 0 0", "─", "minus"),
-        ("0.6 ━0.8 0 0", "━", "minus"),
-        ("0.6 ╌0.8 0 0", "╌", "minus"),
-        ("0.6 ═0.8 0 0", "═", "minus"),
-        ("[0.6, ╴0.8, 0, 0]", "╴", "minus"),
-        ("0.6─0.8 0 0", "─", "minus"),
-        ("0.6 0.8 0 0─", "─", "minus"),
-        ("0.6 + ─0.8i", "─", "minus"),
-        ("w: ─0.6, x: 0, y: 0.8, z: 0", "─", "minus"),
-        ("90° about ─z", "─", "minus"),
-        ("about ─z by 90°", "─", "minus"),
-        ("─90° about z", "─", "minus"),
-        ("ZYX ──30 20 10 deg", "──", "minus"),
-        ("rotvec 0 0 ─0.5", "─", "minus"),
-        ("│0.6 0.8 0 0│", "│", "frame"),
-        ("│ 0.6 ┼─0.8 0 0 │", "┼─", "frame"),
+        ("0.6 ─0.8 0 0", "─", "part of a frame, or a sign"),
+        ("0.6 ━0.8 0 0", "━", "part of a frame, or a sign"),
+        ("0.6 ╌0.8 0 0", "╌", "part of a frame, or a sign"),
+        ("0.6 ═0.8 0 0", "═", "part of a frame, or a sign"),
+        ("[0.6, ╴0.8, 0, 0]", "╴", "part of a frame, or a sign"),
+        ("0.6─0.8 0 0", "─", "part of a frame, or a sign"),
+        ("0.6 0.8 0 0─", "─", "part of a frame, or a sign"),
+        ("0.6 + ─0.8i", "─", "part of a frame, or a sign"),
+        (
+            "w: ─0.6, x: 0, y: 0.8, z: 0",
+            "─",
+            "part of a frame, or a sign",
+        ),
+        ("90° about ─z", "─", "part of a frame, or a sign"),
+        ("about ─z by 90°", "─", "part of a frame, or a sign"),
+        ("─90° about z", "─", "part of a frame, or a sign"),
+        ("ZYX ──30 20 10 deg", "──", "part of a frame, or a sign"),
+        ("rotvec 0 0 ─0.5", "─", "part of a frame, or a sign"),
+        ("│0.6 0.8 0 0│", "│", "part of a frame, or a sign"),
+        ("│ 0.6 ┼─0.8 0 0 │", "┼─", "part of a frame, or a sign"),
         // It stands apart, among numbers.
-        ("0.6 ─ 0.8 0 0", "─", "minus"),
-        ("0.6 0 ── 0.8 0", "──", "minus"),
-        ("│ 0.6 │ ─ 0.8 │ 0 │ 0 │", "─", "minus"),
-        ("─ 0.6 0.8 0 0", "─", "minus"),
+        ("0.6 ─ 0.8 0 0", "─", "part of a frame, or a sign"),
+        ("0.6 0 ── 0.8 0", "──", "part of a frame, or a sign"),
+        ("│ 0.6 │ ─ 0.8 │ 0 │ 0 │", "─", "part of a frame, or a sign"),
+        ("─ 0.6 0.8 0 0", "─", "part of a frame, or a sign"),
         // Diagonals are no part of a frame.
-        ("1 ╱ 2 0 1", "╱", "no meaning"),
+        ("1 ╱ 2 0 1", "╱", "unexpected character"),
     ];
     check_messages(Field::Quaternion, ProblemCode::UnexpectedCharacter, &texts);
     check_messages(Field::P, ProblemCode::UnexpectedCharacter, &texts);
     let vectors = [
-        ("3 ─2 1", "─", "minus"),
-        ("3 2 ━1", "━", "minus"),
-        ("3 ─ 2 1", "─", "minus"),
-        ("3i ─ 2j + k", "─", "minus"),
+        ("3 ─2 1", "─", "part of a frame, or a sign"),
+        ("3 2 ━1", "━", "part of a frame, or a sign"),
+        ("3 ─ 2 1", "─", "part of a frame, or a sign"),
+        ("3i ─ 2j + k", "─", "part of a frame, or a sign"),
     ];
     check_messages(Field::Vector, ProblemCode::UnexpectedCharacter, &vectors);
     // Every dash, and every dash beside a bar, which together are no corner.
     for dash in "─━┄┅┈┉╌╍═╴╶╸╺╼╾".chars() {
         let alone = dash.to_string();
         for text in [format!("{dash} 0.6 0.8 0 0"), format!("0.6 {dash} 0.8 0 0")] {
-            let refused = [(&*text, &*alone, "minus")];
+            let refused = [(&*text, &*alone, "part of a frame, or a sign")];
             check_messages(
                 Field::Quaternion,
                 ProblemCode::UnexpectedCharacter,
@@ -87,7 +91,7 @@ fn a_line_that_is_drawn_looks_like_a_minus_where_it_may_be_one() {
     for bar in "│┃┆┇┊┋╎╏║╵╷╹╻╽╿".chars() {
         let run = format!("{bar}─");
         let text = format!("0.6 {run} 0.8 0 0");
-        let refused = [(&*text, &*run, "minus")];
+        let refused = [(&*text, &*run, "part of a frame, or a sign")];
         check_messages(
             Field::Quaternion,
             ProblemCode::UnexpectedCharacter,
@@ -286,7 +290,7 @@ fn of_signs_in_a_row_only_those_of_a_sum_are_read() {
         ("2*--0.3 0 0 0.8", "--", "--"),
     ];
     let many = "-".repeat(30);
-    let shown = format!("signs {}… one", "-".repeat(24));
+    let shown = format!("several signs in a row: {}…", "-".repeat(24));
     check_messages(
         Field::Quaternion,
         ProblemCode::Unexpected,
@@ -320,44 +324,104 @@ fn numbers_that_run_together_are_no_difference() {
         (
             "12.5 0.5000-0.5000 0.5000 0.5000",
             "0.5000-0.5000",
-            "run together",
+            "may be a difference, or two numbers that run together",
         ),
         (
             "0.5000-0.5000 0.5000 0.5000",
             "0.5000-0.5000",
-            "run together",
+            "may be a difference, or two numbers that run together",
         ),
         (
             "0.5000-0.5000-0.5000 0.5000",
             "0.5000-0.5000",
-            "run together",
+            "may be a difference, or two numbers that run together",
         ),
-        ("0.1 0.2 0.3+0.4 0.5", "0.3+0.4", "run together"),
+        (
+            "0.1 0.2 0.3+0.4 0.5",
+            "0.3+0.4",
+            "may be a difference, or two numbers that run together",
+        ),
         (
             "1.0E-01−2.0E-01 0.3 0.4 0.5",
             "1.0E-01−2.0E-01",
-            "run together",
+            "may be a difference, or two numbers that run together",
         ),
-        ("rpy 0.1-0.2 0.3 0.4", "0.1-0.2", "run together"),
-        ("ZYX 30°-20° 10° 5°", "30°-20", "run together"),
-        ("rotvec 0.1 0.2-0.3 0.4", "0.2-0.3", "run together"),
-        ("axis-angle 0 0 1-0.5 0.7", "1-0.5", "run together"),
-        ("0 -1 0; 1 0-1 0; 0 0 1", "0-1", "run together"),
-        ("[0.5-0.5 0.5 0.5]", "0.5-0.5", "run together"),
-        ("-0.5-0.5-0.5-0.5", "0.5-0.5", "run together"),
-        ("rpy 0.1-0.2-0.3", "0.1-0.2", "run together"),
-        ("0.5 0.5- 0.5 0.5 0.5", "-", "touches the number before"),
-        ("0.5- 0.5 0.5 0.5", "-", "touches the number before"),
-        ("0.5+ 0.5 0.5 0.5", "+", "touches the number before"),
+        (
+            "rpy 0.1-0.2 0.3 0.4",
+            "0.1-0.2",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "ZYX 30°-20° 10° 5°",
+            "30°-20",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "rotvec 0.1 0.2-0.3 0.4",
+            "0.2-0.3",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "axis-angle 0 0 1-0.5 0.7",
+            "1-0.5",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "0 -1 0; 1 0-1 0; 0 0 1",
+            "0-1",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "[0.5-0.5 0.5 0.5]",
+            "0.5-0.5",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "-0.5-0.5-0.5-0.5",
+            "0.5-0.5",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "rpy 0.1-0.2-0.3",
+            "0.1-0.2",
+            "may be a difference, or two numbers that run together",
+        ),
+        (
+            "0.5 0.5- 0.5 0.5 0.5",
+            "-",
+            "touches the number before it, not the one after it",
+        ),
+        (
+            "0.5- 0.5 0.5 0.5",
+            "-",
+            "touches the number before it, not the one after it",
+        ),
+        (
+            "0.5+ 0.5 0.5 0.5",
+            "+",
+            "touches the number before it, not the one after it",
+        ),
     ];
     check_messages(Field::Quaternion, ProblemCode::Unexpected, &texts);
     check_messages(
         Field::Vector,
         ProblemCode::Unexpected,
         &[
-            ("1.0-2.0 3 4", "1.0-2.0", "run together"),
-            ("3 2-1", "2-1", "run together"),
-            ("3 2- 1 5", "-", "touches the number before"),
+            (
+                "1.0-2.0 3 4",
+                "1.0-2.0",
+                "may be a difference, or two numbers that run together",
+            ),
+            (
+                "3 2-1",
+                "2-1",
+                "may be a difference, or two numbers that run together",
+            ),
+            (
+                "3 2- 1 5",
+                "-",
+                "touches the number before it, not the one after it",
+            ),
         ],
     );
     // What only arithmetic can be, and what commas or units hold apart.

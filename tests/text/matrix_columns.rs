@@ -131,7 +131,7 @@ fn what_is_not_three_vectors_is_refused() {
             "x: 0 0 -1, y: 1 0 0, y: 0 -1 0",
             DuplicateComponent,
             "y:",
-            "y is given twice",
+            "y appears twice",
         ),
         (
             "x: 0 0 -1, y: 1 0, z: 0 -1 0",
@@ -149,13 +149,13 @@ fn what_is_not_three_vectors_is_refused() {
             "x: 0 - 0 -1, y: 1 0 0, z: 0 -1 0",
             Unexpected,
             "-",
-            "this sign",
+            "ambiguous sign",
         ),
         (
             "x: 0 0 -1deg, y: 1 0 0, z: 0 -1 0",
             Unexpected,
             "-1deg",
-            "an angle",
+            "unexpected angle",
         ),
         (
             "x: 0 0 -1, y: 1 0 0, z: 0 -1 0, w: 1",

@@ -359,19 +359,19 @@ fn where_a_quaternion_or_a_vector_is_wanted_the_others_are_refused() {
     let cases = [
         (
             "45deg about z",
-            "this is an axis and an angle, and a quaternion is wanted here",
+            "this is an axis and an angle, a quaternion is needed here",
         ),
         (
             "rotvec 0 0 1",
-            "this is a rotation vector, and a quaternion is wanted here",
+            "this is a rotation vector, a quaternion is needed here",
         ),
         (
             "ZYX 3 2 1",
-            "this is a set of Euler angles, and a quaternion is wanted here",
+            "this is a set of Euler angles, a quaternion is needed here",
         ),
         (
             "1 0 0 0 1 0 0 0 1",
-            "this is a matrix, and a quaternion is wanted here",
+            "this is a matrix, a quaternion is needed here",
         ),
     ];
     for (text, message) in cases {

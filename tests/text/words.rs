@@ -9,9 +9,9 @@ use wasm_bindgen_test::wasm_bindgen_test;
 fn words_of_declarations_and_arguments_of_templates_say_something() {
     use ProblemCode::UnknownWord;
     check_refused(&[
-        ("rpy var: 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
-        ("rpy var = 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
-        ("var rpy: 0.1 0.2 0.3", UnknownWord, "var", "a spread"),
+        ("rpy var: 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
+        ("rpy var = 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
+        ("var rpy: 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
         (
             "var 0.5 0.5 -0.5 0.5",
             UnknownWord,
@@ -30,18 +30,23 @@ fn words_of_declarations_and_arguments_of_templates_say_something() {
             "static",
             "what these numbers are",
         ),
-        ("rotvec new 0.1 0.2 0.3", UnknownWord, "new", "not a number"),
+        (
+            "rotvec new 0.1 0.2 0.3",
+            UnknownWord,
+            "new",
+            "is not a known number, unit or function",
+        ),
         (
             "Quaternion<left>(0.5, 0.5, -0.5, 0.5)",
             UnknownWord,
             "Quaternion<left>(0.5, 0.5, -0.5, 0.5)",
-            "not applied",
+            "is not supported here",
         ),
         (
             "rpy<intrinsic>(0.1, 0.2, 0.3)",
             UnknownWord,
             "rpy<intrinsic>(0.1, 0.2, 0.3)",
-            "not applied",
+            "is not supported here",
         ),
     ]);
     check_read(&[
@@ -87,7 +92,12 @@ fn a_turn_about_an_axis_has_one_angle_and_its_words_bare() {
         // The angle stands before `about` or behind `by`, not in both places.
         ("30deg about y by 25deg", UnknownWord, "y", "y is not"),
         // In quotes they are values.
-        (r#"about y "by" 25deg"#, UnexpectedEnd, "", "no angle"),
+        (
+            r#"about y "by" 25deg"#,
+            UnexpectedEnd,
+            "",
+            "the angle is missing",
+        ),
         (
             r#""rotate" 25deg about y"#,
             WrongCount,
@@ -96,9 +106,14 @@ fn a_turn_about_an_axis_has_one_angle_and_its_words_bare() {
         ),
         // A component and a number are no names of the whole.
         ("x = 25deg about y", WrongCount, "x = 25deg", "one angle"),
-        ("0: 25deg about y", Unexpected, ":", "cannot stand here"),
+        ("0: 25deg about y", Unexpected, ":", "unexpected “:”"),
         // Three brackets are looked behind, as below, and not more.
-        ("[[[[25deg about y]]]]", Unexpected, "25deg", "an angle"),
+        (
+            "[[[[25deg about y]]]]",
+            Unexpected,
+            "25deg",
+            "unexpected angle",
+        ),
     ]);
     check_read(&[("[[[25deg about y]]]", "25deg about y")]);
 }
@@ -108,20 +123,20 @@ fn an_angle_beside_an_axis_is_no_angle_beside_something_else() {
     use ProblemCode::{MixedNames, Unexpected, UnknownComponent, UnknownWord, WrongCount};
     check_refused(&[
         ("25deg, b=[0, 1, 0]", MixedNames, "25deg", "no name"),
-        ("a=25deg [0, 1, 0]", Unexpected, "25deg", "an angle"),
+        ("a=25deg [0, 1, 0]", Unexpected, "25deg", "unexpected angle"),
         // `j` is a part of a quaternion.
-        ("(j, 25deg)", Unexpected, "25deg", "an angle"),
+        ("(j, 25deg)", Unexpected, "25deg", "unexpected angle"),
         (
             "axis-angle [0, 1, 0] half",
             WrongCount,
             "[0, 1, 0] half",
-            "something else",
+            "this is not an axis and an angle",
         ),
         (
             "axis-angle 2 25deg",
             WrongCount,
             "2 25deg",
-            "something else",
+            "this is not an axis and an angle",
         ),
         // An axis has no unit.
         (
@@ -153,7 +168,7 @@ fn only_touching_shifts_behind_a_name_begin_a_matrix() {
             "R < < 0, 0, 1, 0, 1, 0, -1, 0, 0",
             UnknownWord,
             "R",
-            "not a number",
+            "is not a known number, unit or function",
         ),
         (
             "<< 0, 0, 1, 0, 1, 0, -1, 0, 0",
@@ -165,7 +180,7 @@ fn only_touching_shifts_behind_a_name_begin_a_matrix() {
             "R << 0, 0, 1, 0, 1, 0, -1, 0, 0 deg",
             MixedUnits,
             "<<",
-            "another unit",
+            "the angles have different units",
         ),
     ]);
 }
@@ -191,7 +206,7 @@ fn quotes_make_a_word_of_one_line() {
             "q' = 0.6 0 0.8 0\np' = 1 0 0 0",
             UnexpectedCharacter,
             "'",
-            "no meaning",
+            "unexpected character",
         ),
     ]);
 }

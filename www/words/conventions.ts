@@ -3,6 +3,11 @@
 // which is read before any script, has its own. Symbols, formulas and the letters of mathematics may
 // stand in the views.
 //
+// One word for one thing: a rotation is what q is; to turn is what a body, an axis or a vector does, and
+// as a noun a turn is only an amount (half a turn) or what a picture shows in motion. A text is fixed, an
+// axis is flipped, a frame has a handedness, and what is shown while a text has a problem is the last
+// valid result.
+//
 // Here: what the texts, the two presets and the five axes are called; the same everywhere.
 import type { Convention, Direction, Field, NamedConvention } from "../engine.ts";
 import type { Letters } from "../model/component_order.ts";
@@ -82,7 +87,7 @@ export const axisWords: {
 } = {
   order: {
     name: "Order",
-    asks: "where the scalar stands",
+    asks: "where the scalar is",
     values: {
       "scalar-first": ["scalar first", "[w, x, y, z]"],
       "scalar-last": ["scalar last", "[x, y, z, w]"],
@@ -114,10 +119,10 @@ export const axisWords: {
   },
   perturbation: {
     name: "Perturbation",
-    asks: "whose axes a small turn is on",
+    asks: "the axes of a small rotation",
     values: {
-      local: ["local", "on the axes of the body"],
-      global: ["global", "on the axes of the world"],
+      local: ["local", "about the axes of the body"],
+      global: ["global", "about the axes of the world"],
     },
   },
 };

@@ -111,8 +111,8 @@ fn small_turns(axes: Option<Perturbation>, sign: Option<IncrementSign>) -> Optio
         return None;
     }
     let axes = match axes {
-        Some(Perturbation::Local) => " on the axes of the body",
-        Some(Perturbation::Global) => " on the axes of the world",
+        Some(Perturbation::Local) => " about the axes of the body",
+        Some(Perturbation::Global) => " about the axes of the world",
         None => "",
     };
     let sign = match sign {
@@ -120,7 +120,7 @@ fn small_turns(axes: Option<Perturbation>, sign: Option<IncrementSign>) -> Optio
         Some(IncrementSign::Formal) => " with the formal sign (phi turns the body by -phi)",
         None => "",
     };
-    Some(format!("adds small turns{axes}{sign}"))
+    Some(format!("adds small rotations{axes}{sign}"))
 }
 
 /// What product and rotation are together.

@@ -9,9 +9,8 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            "nothing says about which axes these angles turn, and in which order",
-            "a sequence of three axes: capitals for axes that move (ZYX), small letters for fixed \
-             ones (xyz)",
+            "the axes of these angles and their order are missing",
+            "a sequence: capitals for moving axes (ZYX), small letters for fixed axes (xyz)",
             "write ZYX 30deg 20deg 10deg, or roll=10deg pitch=20deg yaw=30deg",
         )
     }
@@ -20,9 +19,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            "this is the first number of a quaternion, or the sequence of three Euler angles",
+            "this may be the first number of a quaternion, or an Euler sequence",
             "a sequence with dashes, or a word before the numbers",
-            "write 3-2-1 30 20 10 for the angles, quaternion 321 30 20 10 for the four numbers",
+            "write 3-2-1 30 20 10 for angles, quaternion 321 30 20 10 for four numbers",
         )
     }
 
@@ -39,19 +38,15 @@ impl Fault {
         let written = shorten(written, QUOTED_CHARACTERS);
         let (message, hint) = match (letters.len(), follows_itself, is_mixed) {
             (3, true, _) => (
-                format!(
-                    "{written} is no Euler sequence: an axis follows itself, so two of its turns are one"
-                ),
-                "write the sequence that is meant, such as ZYX or ZXZ",
+                format!("{written} is not an Euler sequence: one axis twice in a row"),
+                "write the sequence you mean, such as ZYX or ZXZ",
             ),
             (3, false, true) => (
-                format!(
-                    "{written} has capitals and small letters, so it does not say whether its axes move"
-                ),
-                "write ZYX for axes that move (intrinsic), or zyx for fixed ones (extrinsic)",
+                format!("{written} mixes capitals (moving axes) and small letters (fixed axes)"),
+                "write ZYX for moving axes (intrinsic), or zyx for fixed axes (extrinsic)",
             ),
             _ => (
-                format!("{written} is no Euler sequence"),
+                format!("{written} is not an Euler sequence"),
                 "write a sequence such as ZYX, zyx or 3-2-1",
             ),
         };
@@ -59,7 +54,7 @@ impl Fault {
             ProblemCode::UnknownSequence,
             span,
             message,
-            "three axes, none after itself",
+            "three axes, no two equal in a row",
             hint,
         )
     }
@@ -68,23 +63,23 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            format!("{written} says by its first letter the opposite of the word beside it"),
-            "s for static (extrinsic) axes, r for rotating (intrinsic) ones, or the word alone",
+            format!("the first letter of {written} contradicts the word beside it"),
+            "s for static (extrinsic) axes, r for rotating (intrinsic) axes, or the word alone",
             "remove the letter or the word",
         )
     }
 
     pub(crate) fn frame_against_name(span: Span, named: EulerSequence) -> Self {
         let (name, letters, frame) = match named.frame {
-            EulerFrame::Extrinsic => ("rpy", "intrinsic xyz", "fixed axes, x and y and z"),
-            EulerFrame::Intrinsic => ("ypr", "extrinsic zyx", "moving axes, z and y and x"),
+            EulerFrame::Extrinsic => ("rpy", "intrinsic xyz", "fixed axes x, y, z"),
+            EulerFrame::Intrinsic => ("ypr", "extrinsic zyx", "moving axes z, y, x"),
         };
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            format!("{name} means turns about {frame}, and the word beside it says the opposite"),
-            "a sequence in letters after a word for the frame",
-            format!("write {letters} if that is what is meant, or {name} alone"),
+            format!("{name} means {frame}, which contradicts the word beside it"),
+            "a sequence in letters after this word",
+            format!("write {letters} if that is what you mean, or {name} alone"),
         )
     }
 
@@ -92,10 +87,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            "this says whether the axes move, and nothing says in which order the angles turn",
-            "a sequence of three axes beside the word",
-            "write extrinsic xyz or intrinsic zyx; roll, pitch and yaw without a word mean these two, \
-             which are the same",
+            "the order of the axes is missing",
+            "a sequence of three axes beside this word",
+            "write extrinsic xyz or intrinsic zyx (the same), or remove the word",
         )
     }
 
@@ -104,10 +98,8 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            format!(
-                "{written} turns twice about one axis, and roll, pitch and yaw are about three"
-            ),
-            "a sequence with three different axes, or angles without these names",
+            format!("{written} has one axis twice, but roll, pitch and yaw have three axes"),
+            "a sequence of three different axes, or angles without these names",
             format!("write the angles in the order of the axes: {written} 10deg 20deg 30deg"),
         )
     }
@@ -117,14 +109,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownSequence,
             span,
-            format!(
-                "beside roll, pitch and yaw {written} does not say whether its axes move, and the \
-                 names alone mean fixed x, y, z (the same as moving z, y, x)"
-            ),
-            "a word that says whether the axes move, or none of a sequence",
-            format!(
-                "write intrinsic {written}: or extrinsic {written}: before them, or the names alone"
-            ),
+            format!("with roll, pitch and yaw, {written} does not say whether its axes move"),
+            "a word that says it, or the names alone (fixed axes x, y, z)",
+            format!("write intrinsic {written}: or extrinsic {written}: before them"),
         )
     }
 }

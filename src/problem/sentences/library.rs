@@ -9,7 +9,7 @@ impl Fault {
             ProblemCode::UnknownLibrary,
             span,
             format!("no library has the id {:?}", shorten(id, QUOTED_CHARACTERS)),
-            "the id of a record of the table of libraries",
+            "the id of a library in the table",
             "choose a library from the list",
         )
     }
@@ -19,7 +19,7 @@ impl Fault {
             ProblemCode::UnknownAxes,
             span,
             message,
-            "the new axes in terms of the old, or two systems of axes",
+            "new axes in terms of the old ones, or two named systems of axes",
             "y x -z, or NED to ENU",
         )
     }
@@ -28,8 +28,7 @@ impl Fault {
         Self::new(
             ProblemCode::OneSidedReflection,
             span,
-            "one side changes to axes of the other hand and the other side does not, which makes a \
-             reflection, and that has no quaternion",
+            "only one side changes handedness: a reflection, which has no quaternion",
             "determinants of the same sign for world and body",
             "the same change of axes on both sides",
         )
@@ -39,7 +38,7 @@ impl Fault {
         Self::new(
             ProblemCode::NotAMatrix,
             span,
-            format!("this is {what}, and a matrix is wanted here"),
+            format!("this is {what}, a matrix is needed here"),
             "nine numbers, three in each row",
             "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]",
         )

@@ -14,9 +14,9 @@ impl Fault {
             return Self::new(
                 ProblemCode::UnexpectedCharacter,
                 span,
-                "a number is missing where the ? stands",
+                "the ? stands for a missing number",
                 "a number, such as 0.5, 1/√2 or 45deg",
-                "write it in place of the ?",
+                "replace the ? by the number",
             );
         }
         let shown = if is_visible(character) {
@@ -27,7 +27,7 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedCharacter,
             span,
-            format!("the character {shown} has no meaning here"),
+            format!("unexpected character {shown}"),
             "digits, names, brackets and the signs + - * / √ , : =",
             hint_about(character),
         )
@@ -37,9 +37,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "with spaces around this sign it can be a minus, a difference or a dash of a list",
-            "numbers whose signs stand right before them",
-            "write -0.1 for a negative number, put commas between the numbers, or compute the difference",
+            "ambiguous sign: a minus, a difference or the dash of a list",
+            "each sign right before its number",
+            "write -0.1 without a space, put commas between numbers, or compute the difference",
         )
     }
 
@@ -48,9 +48,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            format!("of the signs {signs} one may be a slip, a dash or a difference"),
+            format!("several signs in a row: {signs}"),
             "at most one sign before a number",
-            "write the one sign that is meant",
+            "write the one sign you mean",
         )
     }
 
@@ -58,9 +58,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "this sign touches the number before it, and not the one behind it",
-            "numbers whose signs stand right before them",
-            "write -0.1 for a negative number, put commas between the numbers, or compute the difference",
+            "this sign touches the number before it, not the one after it",
+            "each sign right before its number",
+            "write -0.1 without a space, put commas between numbers, or compute the difference",
         )
     }
 
@@ -69,7 +69,7 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            format!("{written} can be a difference, or two numbers that run together"),
+            format!("{written} may be a difference, or two numbers that run together"),
             "a space or a comma between two numbers",
             "write a space before the sign, or compute the difference",
         )
@@ -79,8 +79,8 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "this can be one number whose digits are grouped, or two numbers",
-            "digits that stand together, or numbers without a 0 before them",
+            "this may be one number with grouped digits, or two numbers",
+            "digits without spaces, or numbers without leading zeros",
             "write 10000 for 10 000, and 0 for 000",
         )
     }
@@ -90,11 +90,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedCharacter,
             span,
-            format!(
-                "{drawn} is drawn like the line of a frame, and here it looks like a minus or a mark"
-            ),
-            "the sign - before a negative number; around a frame, spaces",
-            "write - where a minus is meant, or a space where it is none",
+            format!("{drawn} is a line-drawing character: part of a frame, or a sign"),
+            "- before a negative number, spaces around a drawn frame",
+            "write - for a minus, or a space in its place",
         )
     }
 
@@ -104,14 +102,14 @@ impl Fault {
         let seen = if is_space_of_numbers(character) {
             "may group the digits of one number or separate two"
         } else {
-            "is not seen, and separates what looks like one number"
+            "is invisible and splits what looks like one number"
         };
         Self::new(
             ProblemCode::UnexpectedCharacter,
             span,
             format!("{named} {seen}"),
-            "digits that stand together, or a plain space between two numbers",
-            "remove it inside a number, or write a plain space between two",
+            "digits without gaps, or a plain space between two numbers",
+            "remove it, or write a plain space between two numbers",
         )
     }
 }
@@ -120,14 +118,14 @@ impl Fault {
 fn hint_about(character: char) -> String {
     let plain = plain_character(character);
     if plain != character {
-        return format!("write {plain} in its place");
+        return format!("write {plain} instead");
     }
     let hint = if is_dash(character) {
-        "write - before the number where a minus is meant"
+        "write - before a negative number"
     } else if decorates(character) || !is_visible(character) {
         "remove it"
     } else {
-        "write the numbers that come out of it, or remove it where it means nothing"
+        "write the resulting numbers, or remove it"
     };
     hint.to_owned()
 }

@@ -5,8 +5,8 @@ use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 
-pub(crate) const UPPER_LEFT: &str = "of a homogeneous matrix keep the upper left 3 by 3: the first three numbers of the first \
-     three rows";
+pub(crate) const UPPER_LEFT: &str =
+    "of a homogeneous matrix keep the upper left 3 by 3, of a pose only its quaternion";
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const ORDINALS: [&str; 3] = ["first", "second", "third"];
@@ -17,7 +17,7 @@ pub(crate) enum Mirror {
     All,
     /// The axis that stands against itself.
     Axis(usize),
-    /// The matrix alone does not tell which; with this one flipped the turn is smallest.
+    /// The matrix alone does not tell which; with this one flipped the rotation is smallest.
     Nearest(usize),
 }
 
@@ -34,7 +34,7 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{}{shape} in place of 9", numbers(found)),
+            format!("{}{shape}: a rotation matrix has 9", numbers(found)),
             THREE_ROWS,
             hint,
         )
@@ -47,7 +47,7 @@ impl Fault {
             span,
             format!("{} {verb} missing", names.join(" and ")),
             "three vectors of three numbers",
-            "add it: of right-handed axes the third is the cross product of the other two",
+            "add it; right-handed axes have z = x × y, x = y × z and y = z × x",
         )
     }
 
@@ -55,13 +55,16 @@ impl Fault {
         let first = rows.first().copied().unwrap_or_default();
         let is_even = rows.iter().all(|length| *length == first);
         let message = if is_even {
-            format!("{} rows of {first} in place of 3 rows of 3", rows.len())
+            format!(
+                "{} rows of {first}: a rotation matrix is 3 by 3",
+                rows.len()
+            )
         } else {
-            "the rows have different lengths in place of 3 rows of 3".to_owned()
+            "rows of different lengths: a rotation matrix is 3 by 3".to_owned()
         };
         let hint = match (rows.len(), is_even, first) {
             (3 | 4, true, 4) => UPPER_LEFT,
-            _ => "write three rows of three numbers: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+            _ => "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
         };
         Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
     }
@@ -71,10 +74,8 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            format!(
-                "{name} fills rows in some libraries and columns in others, or takes vectors as rows"
-            ),
-            "numbers that are known to stand row by row, as in Eigen::Matrix3d or nalgebra::Matrix3::new",
+            format!("the layout of {name} depends on the library: rows, columns or row vectors"),
+            "a known layout, such as Eigen::Matrix3d or nalgebra::Matrix3::new",
             "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
         )
     }
@@ -90,19 +91,16 @@ impl Fault {
                 format!("change the sign of the {} column", ORDINALS[axis]),
             ),
             Mirror::Nearest(axis) => (
-                format!(
-                    "one axis is flipped, and turning {} back leaves the smallest turn",
-                    AXES[axis]
-                ),
+                format!("one axis is flipped, perhaps {}", AXES[axis]),
                 format!("change the sign of the {} column", ORDINALS[axis]),
             ),
         };
         Self::new(
             ProblemCode::Reflection,
             span,
-            format!("this matrix is a mirror image, which no turn makes: {what}"),
+            format!("this matrix is a reflection, not a rotation: {what}"),
             "a determinant of +1",
-            format!("{hint}, or look for left-handed axes"),
+            format!("{hint}, or check for left-handed axes"),
         )
     }
 
@@ -110,9 +108,9 @@ impl Fault {
         Self::new(
             ProblemCode::NotARotation,
             span,
-            "the columns of this matrix lie in a plane: no rotation is nearer than all others",
+            "the columns of this matrix lie in a plane: no single rotation is nearest",
             THREE_ROWS,
-            "look for a row that stands twice, or for zeros that should be numbers",
+            "check for a repeated row, or for zeros that should be numbers",
         )
     }
 
@@ -132,7 +130,7 @@ impl Fault {
             span,
             "all nine numbers are zero: this is not a rotation",
             THREE_ROWS,
-            "the matrix of no turn is 1 0 0 0 1 0 0 0 1",
+            "write the identity: 1 0 0 0 1 0 0 0 1",
         )
     }
 
@@ -145,9 +143,9 @@ impl Fault {
         Self::new(
             ProblemCode::NotARotation,
             span,
-            format!("this matrix is {far}: its columns have the lengths {x}, {y}, {z}"),
+            format!("this matrix is {far}: column lengths {x}, {y}, {z}"),
             "columns of length 1 at right angles",
-            "look for a missing sign, or for numbers that belong to something else",
+            "check for a missing sign, or for numbers of something else",
         )
     }
 }

@@ -6,8 +6,8 @@ use crate::problem::sentences::matrix::{UPPER_LEFT, numbers};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 /// The words that announce what the numbers are, each with an example.
-const ANNOUNCEMENTS: &str = "say what they are: 45deg about z, rotvec 0 0 0.785, \
-                             ZYX 30deg 20deg 10deg, rpy 10deg 20deg 30deg, matrix 1 0 0 …";
+const ANNOUNCEMENTS: &str =
+    "say what they are: rotvec 0 0 0.785, rpy 10deg 20deg 30deg, 45deg about z";
 
 const AXIS: &str = "an axis: x, y, z, -x, …, or three numbers";
 
@@ -17,12 +17,11 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            format!("{name} is not applied here, so its numbers would mean something else"),
+            format!("{name} is not supported here"),
             wanted.in_words(),
             match wanted {
                 Wanted::Quaternion => {
-                    "write the numbers that come out of it, or the rotation in words: \
-                     45deg about z, ZYX 30deg 20deg 10deg"
+                    "write the resulting numbers, or the rotation in words: 45deg about z"
                 }
                 Wanted::Vector => "write the numbers of the vector",
             },
@@ -33,7 +32,7 @@ impl Fault {
         Self::new(
             ProblemCode::NotAQuaternion,
             span,
-            format!("this is {what}, and a quaternion is wanted here"),
+            format!("this is {what}, a quaternion is needed here"),
             "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k",
             "write the four numbers of its quaternion",
         )
@@ -43,9 +42,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "a number stands before this list: a factor, a count or an index",
+            "a number before this list: a factor, a count or an index",
             "the list alone",
-            "multiply the numbers by it if it is a factor; otherwise remove it",
+            "multiply the numbers by it if it is a factor, otherwise remove it",
         )
     }
 
@@ -54,9 +53,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            format!("nothing says what {name} does with the list after it"),
+            format!("{name} is not supported before a list"),
             "the list alone, or a call that holds it",
-            "write the numbers that come out of it; remove it if it only counts or numbers the list",
+            "write the resulting numbers, or remove it if it only counts",
         )
     }
 
@@ -64,9 +63,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "an angle cannot stand here",
+            "unexpected angle",
             "a number without a unit",
-            "say what the angle belongs to: 45° about z, ZYX 30° 20° 10°, cos(22.5°) + sin(22.5°) k",
+            "say what the angle is: 45° about z, ZYX 30° 20° 10°, cos(22.5°) + sin(22.5°) k",
         )
     }
 
@@ -74,9 +73,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "a vector and then a number in this call are an axis and an angle of unknown unit",
+            "a vector and a number in this call: an axis and an angle of unknown unit",
             "the four numbers of a quaternion",
-            "write the turn in words: 45deg about [0, 0, 1]",
+            "write the rotation in words: 45deg about [0, 0, 1]",
         )
     }
 
@@ -84,10 +83,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "a vector of length 1 and a number are an axis and its angle, or a quaternion that is \
-             not normalised",
-            "a word that says which, or numbers that only one of them can have",
-            "write axis-angle [0, 0, 1] 0.7 for the first, w=0.7, x=0, y=0, z=1 for the second",
+            "a unit vector and a number: axis and angle, or a quaternion not of norm 1",
+            "a word that says which",
+            "write axis-angle [0, 0, 1] 0.7, or w=0.7, x=0, y=0, z=1",
         )
     }
 
@@ -96,14 +94,19 @@ impl Fault {
             Wanted::Quaternion => count_of_rotation(found),
             Wanted::Vector if found > 3 => (
                 "three numbers: x, y, z",
-                "keep the three numbers of one vector; a decimal sign is a point, not a comma",
+                "keep the three numbers of one vector; the decimal sign is a point",
             ),
-            Wanted::Vector => ("three numbers: x, y, z", "add what is missing: 1 0 0"),
+            Wanted::Vector => ("three numbers: x, y, z", "add the missing numbers: 1 0 0"),
         };
         let message = if wanted == Wanted::Quaternion && found > 5 && found != 9 {
-            format!("{found} numbers are no quaternion, which has 4, and no matrix, which has 9")
+            format!("{found} numbers: a quaternion has 4, a matrix 9")
         } else {
-            format!("{} in place of {}", numbers(found), wanted.count())
+            format!(
+                "{}: a {} has {}",
+                numbers(found),
+                wanted.name(),
+                wanted.count()
+            )
         };
         Self::new(ProblemCode::WrongCount, span, message, expected, hint)
     }
@@ -123,8 +126,8 @@ impl Fault {
             ProblemCode::ZeroQuaternion,
             span,
             "all four components are zero: this is not a rotation",
-            "at least one component that is not zero",
-            "the quaternion of no turn is w=1, x=0, y=0, z=0",
+            "at least one component other than zero",
+            "write the identity: w=1, x=0, y=0, z=0",
         )
     }
 
@@ -132,9 +135,9 @@ impl Fault {
         Self::new(
             ProblemCode::ZeroAxis,
             span,
-            "an axis of length zero names no direction",
-            "at least one number that is not zero",
-            "write the axis, such as [0, 0, 1]; no turn at all is 0 about z",
+            "the axis has length zero",
+            "at least one number other than zero",
+            "write an axis such as [0, 0, 1]; no rotation is 0 about z",
         )
     }
 
@@ -142,7 +145,7 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedEnd,
             span,
-            "there is no axis",
+            "the axis is missing",
             AXIS,
             "write it: 45deg about z, 45deg about [1, 1, 0]",
         )
@@ -152,7 +155,7 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedEnd,
             span,
-            "there is no angle",
+            "the angle is missing",
             "an angle and an axis, as in 45deg about z",
             "write the angle, such as 45deg or pi/4",
         )
@@ -173,12 +176,12 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{} in place of 3", numbers(found)),
+            format!("{}: 3 are needed", numbers(found)),
             what,
             if found < 3 {
-                "add what is missing; 0 is an angle too"
+                "add what is missing; it may be 0"
             } else {
-                "keep the three of one rotation; a decimal sign is a point, not a comma"
+                "keep the three of one rotation; the decimal sign is a point"
             },
         )
     }
@@ -187,9 +190,9 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            "these are several values in place of one angle",
+            "several values: one angle is needed",
             "one angle, such as 45deg, 0.785 or pi/4",
-            "keep the angle alone",
+            "keep only the angle",
         )
     }
 
@@ -197,7 +200,7 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            "an axis and an angle were announced, and this is something else",
+            "this is not an axis and an angle",
             "three numbers for the axis and one for the angle",
             "write axis-angle [0, 0, 1] 45deg, or 45deg about z",
         )
@@ -211,7 +214,7 @@ impl Fault {
             span,
             format!("{} {verb} missing", names.join(", ")),
             "all of roll, pitch and yaw",
-            format!("add {} if that is what is meant", examples.join(", ")),
+            format!("add {} if that is what you mean", examples.join(", ")),
         )
     }
 
@@ -219,8 +222,8 @@ impl Fault {
         Self::new(
             ProblemCode::DuplicateComponent,
             span,
-            format!("{name} is given twice"),
-            "each part once",
+            format!("{name} appears twice"),
+            "each name once",
             format!("remove one {name}"),
         )
     }
@@ -229,7 +232,7 @@ impl Fault {
         Self::new(
             ProblemCode::MixedNames,
             span,
-            "this belongs to another description of a rotation than what stands before it",
+            "two descriptions of a rotation are mixed here",
             "axis and angle, or roll, pitch and yaw",
             "keep one of them",
         )
@@ -241,7 +244,7 @@ impl Fault {
             ProblemCode::UnknownWord,
             span,
             format!("{word} does not say what these numbers are"),
-            "four numbers of a quaternion, or a word that is known here before the numbers",
+            "four numbers, or a known word before the numbers",
             ANNOUNCEMENTS,
         )
     }
@@ -251,7 +254,7 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("these are not the arguments of {name}"),
+            format!("wrong arguments for {name}"),
             expected,
             "write them in this order, or the rotation in words: 45deg about z",
         )
@@ -262,9 +265,9 @@ impl Fault {
         Self::new(
             ProblemCode::NotARotation,
             span,
-            format!("{name} does not normalise its axis, so with this one it makes no rotation"),
+            format!("{name} does not normalise its axis: this one makes no rotation"),
             "an axis of length 1",
-            "divide the axis by its length, or write the turn in words: 45deg about [1, 1, 0]",
+            "divide the axis by its length, or write the rotation in words: 45deg about [1, 1, 0]",
         )
     }
 
@@ -272,9 +275,9 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "these three numbers are tangents of a part of the angle, which have no unit",
+            "these three numbers are tangents, which have no unit",
             "three numbers without a unit",
-            "remove the unit, or write the angle itself: rotvec 0 0 45deg, halfangle 0 0 22.5deg",
+            "remove the unit, or write the angle: rotvec 0 0 45deg, halfangle 0 0 22.5deg",
         )
     }
 
@@ -282,8 +285,7 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            "a Rodrigues vector is the rotation vector for some (OpenCV) and the Gibbs vector, \
-             tan(θ/2) times the axis, for others",
+            "a Rodrigues vector may be a rotation vector (OpenCV) or a Gibbs vector",
             "a name with one meaning",
             "write rotvec 0 0 0.785, or gibbs 0 0 0.414",
         )
@@ -293,7 +295,7 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "this angle has a unit already",
+            "this angle already has a unit",
             "one unit for each angle",
             "remove one of them",
         )
@@ -303,9 +305,9 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "one term of this sum has a unit of angle and the other has none",
-            "a unit beside every term",
-            "write the unit after each of them: 45deg + 0.5deg",
+            "one term of this sum has a unit, the other has none",
+            "a unit after every term",
+            "write a unit after both: 45deg + 0.5deg",
         )
     }
 
@@ -313,7 +315,7 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "a multiple of π is an angle in radians, and here it is given in degrees",
+            "a multiple of π is in radians, but the unit is degrees",
             "a multiple of π without a unit, or a number of degrees",
             "remove the unit, or write the number of degrees",
         )
@@ -323,9 +325,9 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "this angle has another unit than the others",
-            "all the angles in degrees, or all in radians",
-            "write all of them in one unit (a π means radians)",
+            "the angles have different units",
+            "all angles in degrees, or all in radians",
+            "use one unit for all of them (π means radians)",
         )
     }
 
@@ -337,33 +339,32 @@ impl Fault {
         Self::new(
             ProblemCode::MixedUnits,
             span,
-            "this angle has no unit while another has one",
-            "a unit beside every angle, or one apart at the end for all",
-            format!(
-                "write {name} right after it, or a space and {name} once after the last number"
-            ),
+            "this angle has no unit, but another one has",
+            "a unit after every angle, or one at the end for all, after a space",
+            format!("write {name} right after it, or once at the end after a space"),
         )
     }
 }
 
 /// What a count of bare numbers may have been meant as.
 fn count_of_rotation(found: usize) -> (&'static str, &'static str) {
-    const FOUR: &str = "four numbers: w and x, y, z";
+    const FOUR: &str = "the four numbers of a quaternion";
     const FOUR_OR_NINE: &str = "four numbers of a quaternion, or nine of a matrix";
     match found {
         3 => (FOUR, ANNOUNCEMENTS),
-        0..=2 => (
-            FOUR,
-            "add what is missing, or name what is there: 0.92 + 0.38k",
-        ),
+        0..=2 => (FOUR, "add the missing numbers, or name them: 0.92 + 0.38k"),
         5 => (
             FOUR,
-            "keep the four numbers of one quaternion; a decimal sign is a point, not a comma",
+            "keep the four numbers of one quaternion; the decimal sign is a point",
+        ),
+        7 | 8 => (
+            FOUR_OR_NINE,
+            "keep the four numbers of a pose's quaternion, without time and position",
         ),
         12 | 16 => (FOUR_OR_NINE, UPPER_LEFT),
         _ => (
             FOUR_OR_NINE,
-            "keep the numbers of one rotation; a decimal sign is a point, not a comma",
+            "keep the numbers of one rotation; the decimal sign is a point",
         ),
     }
 }

@@ -9,7 +9,7 @@ impl Fault {
         Self::new(
             ProblemCode::EmptyText,
             span,
-            "there is no text here",
+            "the text is empty",
             wanted.in_words(),
             wanted.example(),
         )
@@ -21,7 +21,7 @@ impl Fault {
             span,
             format!("the text has {bytes} bytes; at most {most} are read"),
             "one quaternion or one vector",
-            "paste only the lines that hold the numbers",
+            "paste only the lines with the numbers",
         )
     }
 
@@ -29,8 +29,8 @@ impl Fault {
         Self::new(
             ProblemCode::NestedTooDeep,
             span,
-            format!("more than {most} brackets are open at this place"),
-            format!("at most {most} brackets inside each other"),
+            format!("more than {most} nested brackets"),
+            format!("at most {most} nested brackets"),
             "remove the outer brackets",
         )
     }
@@ -39,9 +39,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedCharacter,
             span,
-            "nothing that follows the value is applied here",
+            "calls on a value are not supported here",
             "the value alone",
-            "write the numbers that come out of it",
+            "write the resulting numbers",
         )
     }
 
@@ -49,9 +49,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "commas stand between some of the numbers and only spaces between others",
-            "commas between all the numbers, or between none",
-            "write a point for the decimal sign (0.92), or put in the missing commas",
+            "commas between some numbers, only spaces between others",
+            "commas between all numbers, or between none",
+            "use a decimal point (0.92), or add the missing commas",
         )
     }
 
@@ -59,9 +59,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "this factor belongs to all the numbers of the next lines",
+            "this factor applies to all numbers on the next lines",
             "the numbers themselves",
-            "multiply the numbers by it (a common factor of a quaternion does not change the rotation)",
+            "multiply the numbers by it; for a quaternion it can be left out",
         )
     }
 
@@ -71,18 +71,31 @@ impl Fault {
             span,
             "these components belong to more than one value",
             "the components of one quaternion or one vector",
-            "keep only its lines, such as those of the orientation",
+            "keep only one of them, such as the orientation",
         )
     }
 
     pub(crate) fn unexpected(span: Span, found: &str) -> Self {
+        // `0..38`, or two numbers that touch.
+        let is_fraction = found.starts_with('.');
         let found = shorten(found, QUOTED_CHARACTERS);
+        let (message, hint) = if is_fraction {
+            (
+                format!("unexpected “{found}” (did you mean 0{found}?)"),
+                "remove one point, or write a space between two numbers",
+            )
+        } else {
+            (
+                format!("unexpected “{found}”"),
+                "remove it, or add what is missing before it",
+            )
+        };
         Self::new(
             ProblemCode::Unexpected,
             span,
-            format!("{found} cannot stand here"),
+            message,
             "a number or a name",
-            "remove it, or write what is missing before it",
+            hint,
         )
     }
 
@@ -90,7 +103,7 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "a list cannot stand here",
+            "unexpected list",
             "a number",
             "write the numbers one after the other, without these brackets",
         )
@@ -100,9 +113,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "an imaginary unit cannot stand here",
+            "unexpected imaginary unit",
             "a real number",
-            "write the number alone: the name says which component it is",
+            "write the number without i, j or k",
         )
     }
 
@@ -112,7 +125,7 @@ impl Fault {
             span,
             format!("{function} takes one number"),
             "one number in the brackets",
-            format!("write {function} of one number"),
+            format!("write one number: {function}(0.5)"),
         )
     }
 
@@ -120,8 +133,8 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "there is no + or - before this term",
-            "a sign between the terms of a sum, as in 0.92 + 0.38k",
+            "missing + or - before this term",
+            "a sign between the terms, as in 0.92 + 0.38k",
             "write + or - before it",
         )
     }
@@ -130,9 +143,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnexpectedEnd,
             span,
-            "the text stops where a number should follow",
+            "the text ends where a number is expected",
             "a number",
-            "write the number that is missing, or remove the last sign",
+            "add the missing number, or remove the last sign",
         )
     }
 
@@ -151,14 +164,14 @@ impl Fault {
             Some(closing) => Self::new(
                 ProblemCode::UnmatchedBracket,
                 span,
-                format!("the bracket that is open here is not closed by {found}"),
+                format!("{found} does not close the open bracket"),
                 format!("a closing {closing}"),
-                format!("write {closing} in its place"),
+                format!("write {closing} instead"),
             ),
             None => Self::new(
                 ProblemCode::UnmatchedBracket,
                 span,
-                format!("the bracket {found} closes nothing"),
+                format!("{found} without an opening bracket"),
                 "an opening bracket before it",
                 "remove it",
             ),
@@ -170,9 +183,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            format!("{word} is not a number, a unit or a function that is known here"),
+            format!("{word} is not a known number, unit or function"),
             "a number; i, j, k; pi, tau; sqrt, abs, sin, cos, tan, asin, acos, atan",
-            "write the number itself",
+            "write the number",
         )
     }
 
@@ -180,7 +193,7 @@ impl Fault {
         Self::new(
             ProblemCode::DuplicateComponent,
             span,
-            format!("the component {name} is given twice"),
+            format!("the component {name} appears twice"),
             "each component once",
             format!("remove one {name}, or rename it"),
         )
@@ -194,7 +207,7 @@ impl Fault {
             span,
             format!("{missing} {verb} missing"),
             format!("all of {}", wanted.names()),
-            format!("add {}=0 if that is what is meant", names.join("=0, ")),
+            format!("add {}=0 if that is what you mean", names.join("=0, ")),
         )
     }
 
@@ -205,7 +218,7 @@ impl Fault {
             span,
             format!("{name} is not a component"),
             format!("the names {}", wanted.names()),
-            format!("use the names {}, or only numbers", wanted.names()),
+            format!("use the names {}, or numbers only", wanted.names()),
         )
     }
 
@@ -214,9 +227,9 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownWord,
             span,
-            format!("{name} names what was made of a rotation: a rate, a spread, an inverse"),
-            "the numbers of the rotation itself",
-            "write them without this name if they are what you want to read",
+            format!("{name} is a rate, a variance or an inverse, not the rotation itself"),
+            "the numbers of the rotation",
+            "remove this name if the numbers are the rotation",
         )
     }
 
@@ -225,7 +238,7 @@ impl Fault {
         Self::new(
             ProblemCode::UnknownComponent,
             span,
-            format!("the argument {name} is not known here, and it may change the numbers"),
+            format!("unknown argument {name}, which may change the numbers"),
             "the numbers of the rotation and their unit",
             "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
         )
@@ -235,7 +248,7 @@ impl Fault {
         Self::new(
             ProblemCode::WrongCount,
             span,
-            format!("{} in place of 1", numbers(found)),
+            format!("{}: 1 is needed", numbers(found)),
             "one number",
             "0.5, 1/√2 or sin(pi/8)",
         )
@@ -245,9 +258,9 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            "a comma stands in this angle, and it separates numbers here",
+            "a comma in this angle, which separates numbers here",
             "one angle, such as 45.5deg",
-            "write a point for the decimal sign",
+            "use a decimal point",
         )
     }
 
@@ -255,7 +268,7 @@ impl Fault {
         Self::new(
             ProblemCode::MixedNames,
             span,
-            "this number has no name while others have one",
+            "this number has no name, but others have",
             "a name for every number, or for none",
             "name it: w=, x=, y= or z=",
         )
@@ -265,9 +278,9 @@ impl Fault {
         Self::new(
             ProblemCode::DivisionByZero,
             span,
-            "this divides by zero",
-            "a divisor that is not zero",
-            "write the number that is meant",
+            "division by zero",
+            "a divisor other than zero",
+            "write the number you mean",
         )
     }
 
@@ -278,7 +291,7 @@ impl Fault {
             span,
             format!("{written} is not a real number"),
             "a finite number",
-            "look where it was computed: a NaN often comes from a zero norm or an acos beyond 1",
+            "check where it was computed: NaN often comes from a zero norm or acos beyond 1",
         )
     }
 
@@ -286,9 +299,9 @@ impl Fault {
         Self::new(
             ProblemCode::NotANumber,
             span,
-            format!("{function} of this number is not a real number"),
+            format!("{function} of this number is not real"),
             "sqrt of 0 or more; asin and acos of -1 to 1",
-            "write the number that is meant",
+            "write the number you mean",
         )
     }
 
@@ -296,9 +309,9 @@ impl Fault {
         Self::new(
             ProblemCode::Infinite,
             span,
-            "infinity is not a component of a rotation",
+            "infinity is not allowed",
             "a finite number",
-            "look where it was computed: an infinity often comes from a division by zero",
+            "check where it was computed: infinity often comes from a division by zero",
         )
     }
 
@@ -306,9 +319,9 @@ impl Fault {
         Self::new(
             ProblemCode::TooLarge,
             span,
-            "this is larger than any double (about 1.8e308)",
-            "a number that a double can hold",
-            "write a smaller number; the numbers of a quaternion may be divided by a common factor",
+            "too large for a double (more than about 1.8e308)",
+            "a number in the range of a double",
+            "write a smaller number; a quaternion may be divided by a common factor",
         )
     }
 
@@ -316,9 +329,9 @@ impl Fault {
         Self::new(
             ProblemCode::TooSmall,
             span,
-            "this is not zero, yet a double would make it zero (below about 5e-324)",
-            "a number that a double can hold, or 0",
-            "write 0; the numbers of a quaternion may be multiplied by a common factor",
+            "too small for a double (less than about 5e-324), but not zero",
+            "a number in the range of a double, or 0",
+            "write 0; a quaternion may be multiplied by a common factor",
         )
     }
 
@@ -326,9 +339,9 @@ impl Fault {
         Self::new(
             ProblemCode::ProductOfUnits,
             span,
-            "a product of imaginary units has another sign in each convention (ij = k or ij = -k)",
+            "products of imaginary units depend on the convention (ij = k or ij = -k)",
             "at most one of i, j, k in each term",
-            "write the components, or put the two factors into the Compose view",
+            "write the components, or enter the two factors in Compose",
         )
     }
 }

@@ -177,7 +177,7 @@ fn unknown_mark(text: &str, start: usize) -> Fault {
     }
     match character {
         '∞' => Fault::infinite(span),
-        '.' => Fault::method(span),
+        '.' if text[span.end..].starts_with(char::is_alphabetic) => Fault::method(span),
         _ if hidden_in_number(text, span).is_some() => Fault::hidden_in_number(span, character),
         _ => Fault::unexpected_character(span, character),
     }

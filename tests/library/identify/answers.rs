@@ -108,7 +108,7 @@ fn a_homogeneous_matrix_without_its_last_row_is_refused() {
     assert_eq!(found.problem.code, ProblemCode::NotAMatrix);
     assert_eq!(
         found.problem.message,
-        "12 numbers are no quaternion, which has 4, and no matrix, which has 9"
+        "12 numbers: a quaternion has 4, a matrix 9"
     );
 }
 

@@ -131,16 +131,16 @@ fn axes_that_cannot_be() {
     let found = problems(with_axes(TEXT, "tf2", "unity", "", "ROS to Unity"));
     assert_eq!(found[0].code, ProblemCode::OneSidedReflection);
     let texts = [
-        ("x y", "this is no mapping of axes"),
-        ("x x z", "an old axis stands twice, so another one is lost"),
+        ("x y", "this is not a mapping of axes"),
+        ("x x z", "one axis appears twice, so another one is missing"),
         (
             "NED to FLU",
-            "one of the two is of a body and the other of the world",
+            "one system is of a body and the other of the world",
         ),
-        ("NED to EEU", "eeu names no axes"),
-        ("FOO to ENU", "foo names no axes"),
-        ("- - x y z", "this is no mapping of axes"),
-        ("x y z -", "this is no mapping of axes"),
+        ("NED to EEU", "eeu is not a known system of axes"),
+        ("FOO to ENU", "foo is not a known system of axes"),
+        ("- - x y z", "this is not a mapping of axes"),
+        ("x y z -", "this is not a mapping of axes"),
     ];
     for (text, message) in texts {
         let found = problems(with_axes("oops", "tf2", "tf2", text, "\u{1F642}"));

@@ -10,10 +10,10 @@ import {
 } from "../../model/conventions.ts";
 import type { Store } from "../../state/store.ts";
 import { namedConventions, namedConventionValues } from "../../values.ts";
-import { conventionNames } from "../../words/conventions.ts";
+import { conventionNames, wordsOf } from "../../words/conventions.ts";
+import * as askWords from "../../words/parts/ask.tsx";
 import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
-import { fiveWords, nameOf } from "./convention_names.ts";
 import { MatrixOf } from "./RulesList.tsx";
 import "./more_axes.css";
 
@@ -23,7 +23,9 @@ export function MoreAxes({ store }: { store: Store }) {
   const base = namedConventions[state.preset];
   const setAxis = (axis: Axis, value: string) =>
     store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
-  const { named } = store.engine.describe(convention);
+  const { named, preset } = store.engine.describe(convention);
+  // In full it stands on the switch.
+  const name = preset ? wordsOf[preset].name : askWords.custom;
   const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
   const setMatrix = (axis: keyof MatrixConvention, value: string) =>
     store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
@@ -31,7 +33,7 @@ export function MoreAxes({ store }: { store: Store }) {
     <details class="more">
       <summary>
         <span class="more-word">{words.more}</span>{" "}
-        <span class="more-now">{nameOf(convention, store.engine) ?? fiveWords(convention)}</span>
+        <span class="more-now">{name}</span> {words.choices}
       </summary>
       <div class="more-panel">
         <div class="named-conventions">

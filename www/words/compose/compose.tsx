@@ -29,7 +29,7 @@ export const afterOnAxes = (operand: Symbols, frame: string) => (
   </>
 );
 
-export const beyond = "beyond a double";
+export const beyond = "beyond the range of a double";
 export const yours = "your convention";
 
 /** What the matrices of a convention do: an active one has that of the other direction. */
@@ -58,7 +58,7 @@ export const anticommute =
 
 export const turns = (first: Symbols, other: Symbols) => (
   <>
-    As turns of the body: about the fixed axes first {first}, then {other}; about the moving axes
-    first {other}, then {first}.
+    As rotations of the body: about the fixed axes first {first}, then {other}; about the moving
+    axes first {other}, then {first}.
   </>
 );

@@ -15,9 +15,9 @@ export const citeWords = {
     }${directions[direction]})`,
   unitQuaternion: (numbers: string) => `Unit quaternion ${numbers}`,
   quaternion: (numbers: string, norm: string | undefined) =>
-    `Quaternion ${numbers} of ${norm === undefined ? "a norm beyond a double" : `norm ${norm}`}`,
+    `Quaternion ${numbers} of ${norm === undefined ? "a norm beyond the range of a double" : `norm ${norm}`}`,
   turn: (angle: string, axis: string) => `${angle} about ${axis}`,
-  noTurn: "no turn",
+  noTurn: "no rotation",
   read: (quaternion: string, convention: string, turn: string) =>
     `${quaternion}, ${convention}: ${turn}.`,
   compose: (p: string, sign: string, q: string, product: string, convention: string) =>

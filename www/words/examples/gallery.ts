@@ -14,7 +14,7 @@ export const groupWords: Record<View, string> = {
 export const exampleWords: Record<ExampleName, [name: string, teaches: string]> = {
   "turn-about-z": [
     "45° about z",
-    "The planar turn of the lecture: R(q) and C(q) are each other's transpose.",
+    "The planar rotation of the lecture: R(q) and C(q) are each other's transpose.",
   ],
   "jpl-log": [
     featuredNames["jpl-log"],
@@ -37,7 +37,7 @@ export const exampleWords: Record<ExampleName, [name: string, teaches: string]> 
   ],
   "double-cover": [
     "q and −q",
-    "Double cover: every sign is turned, and every matrix is that of 45° about z.",
+    "Double cover: every sign is flipped, and every matrix is that of 45° about z.",
   ],
   "gimbal-lock": [
     "Gimbal lock",
@@ -69,7 +69,7 @@ export const exampleWords: Record<ExampleName, [name: string, teaches: string]> 
     "p ⊙ q has the numbers of q ⊗ p: the products differ by the order of their operands.",
   ],
   commuting: [
-    "Two turns that commute",
+    "Two rotations that commute",
     "About one axis the order does not matter, so it cannot be tested with them.",
   ],
   "isaac-lab": [

@@ -7,12 +7,12 @@ export const left = (possible: number) =>
 
 export const copied = "the sentence for an issue";
 export const fromBeforeContradiction =
-  "What stands below is the last result, from before the contradiction.";
+  "Showing the last valid result, from before the contradiction.";
 
 export const fromBeforeChange = (places: readonly number[]) =>
-  `What stands below is the last result, from before the change of ${theObservations(places)}.`;
+  `Showing the last valid result, from before the change of ${theObservations(places)}.`;
 
-export const ofOthers = "What stands below is what the other observations say.";
+export const ofOthers = "Showing what the other observations say.";
 
 export const uncounted = (places: readonly number[]) =>
   `Not counted: ${theObservations(places)}, which ${places.length === 1 ? "tells" : "tell"} nothing yet.`;

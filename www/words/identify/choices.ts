@@ -25,12 +25,12 @@ export const probeWords: Record<ProbeKind, { name: string; asks: string }> = {
     asks: "In which order do four different numbers come back out of the constructor?",
   },
   "quarter-turn": {
-    name: "a body turned by a quarter",
+    name: "a body turned by 90°",
     asks: "Turn the body by +90° about the world's z axis: which quaternion is its attitude?",
   },
   perturb: {
-    name: "a small turn added",
-    asks: "What is q after the small turn φ, in radians, was added by its own call?",
+    name: "a small rotation added",
+    asks: "What is q after its own call added the small rotation φ, in radians?",
   },
 };
 
@@ -84,13 +84,13 @@ export const choiceWords: {
     values: { canonical: "z > 0", conjugated: "z < 0, conjugate" },
   },
   perturbation: {
-    name: "Small turn on the axes of",
-    about: "the axes of a small turn",
+    name: "Small rotation about the axes of",
+    about: "the axes of a small rotation",
     values: { local: "the body", global: "the world" },
   },
   incrementSign: {
-    name: "Small turn φ turns the body by",
-    about: "the sign of a small turn",
+    name: "Small rotation φ turns the body by",
+    about: "the sign of a small rotation",
     values: { physical: "φ, physical sign", formal: "−φ, formal sign" },
   },
 };
@@ -125,7 +125,7 @@ export const checks: Record<BehaviourAxis, string> = {
   rotate: "whether the vector was rotated forwards, not back, and v is what went in",
   matrix: "whether the nine numbers run row by row: choose column by column, or not sure",
   attitude: "which quaternion of the body it is: of body to world, or of world to body",
-  perturbation: "on whose axes φ was meant",
+  perturbation: "about whose axes φ was meant",
   incrementSign: "whether φ was added",
 };
 

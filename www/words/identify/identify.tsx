@@ -31,7 +31,7 @@ export const unnamed = "The library";
 export const spokenUnexplained = (at: number) => `Observation ${at + 1}: no behaviour prints this.`;
 
 export const spokenProblem = (at: number, { message, expected, hint }: Problem) =>
-  `Problem in observation ${at + 1}: ${message}. Expected ${expected}. Try ${hint}.`;
+  `Problem in observation ${at + 1}: ${message}. Expected: ${expected}. Try: ${hint}.`;
 
 export const spokenContradiction = ({ observations, about }: Contradiction) =>
   `Observations ${numbered(observations)} contradict each other.${

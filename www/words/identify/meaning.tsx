@@ -25,18 +25,18 @@ export const takes = (coordinates: string) => (
 );
 
 export const takesOpen =
-  "Which coordinates to which it takes depends on how an attitude is written: a body turned by a quarter tells.";
+  "Which coordinates to which it takes depends on how an attitude is written: a body turned by 90° tells.";
 
-/** What adding a small turn φ does to the body. */
+/** What adding a small rotation φ does to the body. */
 export const smallTurn = (axes: string, turn: string) => (
   <>
-    A small turn <var>φ</var> on the axes of <strong>{axes}</strong> turns the body by{" "}
+    A small rotation <var>φ</var> about the axes of <strong>{axes}</strong> turns the body by{" "}
     <strong>{turn}</strong>.
   </>
 );
 
 export const smallTurnOpen =
-  "The axes and the sign of a small turn show only with a body turned by a quarter.";
+  "The axes and the sign of a small rotation show only with a body turned by 90°.";
 
 export const columns = (
   <>

@@ -15,8 +15,8 @@ export const empty = "Not answered yet.";
 
 export const problemOf = ({ message, expected, hint }: Problem) => (
   <>
-    <span class="problem-message">{message}.</span> <span class="problem-key">Expected</span>{" "}
-    {expected}. <span class="problem-key">Try</span> {hint}.
+    <span class="problem-message">{message}.</span> <span class="problem-key">Expected:</span>{" "}
+    {expected}. <span class="problem-key">Try:</span> {hint}.
   </>
 );
 

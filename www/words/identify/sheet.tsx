@@ -7,9 +7,8 @@ export const example = "an example";
 export const lead = (
   <>
     Put the names of your library into these lines, run them, and enter what they print; Enter goes
-    on. Four numbers stand as the library takes and prints them; with names,{" "}
-    <code>w: 1, x: 0, …</code>, their order is no question. Rounded numbers, single precision and −q
-    for q are fine.
+    on. Four numbers are in the library's own order; with names, <code>w: 1, x: 0, …</code>, the
+    order does not matter. Rounded numbers, single precision and −q for q are fine.
   </>
 );
 

@@ -1,4 +1,4 @@
-// What is said of an input, and what the buttons that mend it are called.
+// What is said of an input, and what the buttons that fix it are called.
 import type { ComponentChildren } from "preact";
 import type { ComponentOrder, Note, OrderSource, OutOfRangeNumber, Remedy } from "../../engine.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
@@ -18,11 +18,10 @@ const sources: Record<OrderSource, string> = {
 };
 
 const outOfRange: Record<OutOfRangeNumber, string> = {
-  norm: "Numbers for the new axes with this norm are beyond the range of a double; those of norm 1 are shown.",
+  norm: "With this norm the numbers for the new axes are beyond the range of a double: those of norm 1 are shown.",
   inverse: "The inverse is beyond the range of a double and is left out.",
-  image: "The turned vector is beyond the range of a double and is left out.",
-  product:
-    "The product of the numbers as typed is beyond the range of a double; that of norm 1 is shown.",
+  image: "The rotated vector is beyond the range of a double and is left out.",
+  product: "The product is beyond the range of a double: that of the unit quaternions is shown.",
 };
 
 /** A number of two or three digits, for a sentence. */
@@ -37,7 +36,7 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
   switch (fact.kind) {
     case "normalised":
       return fact.norm === undefined || fact.deviation === undefined ? (
-        <>The norm is beyond the range of a double; the matrices use the quaternion of norm 1.</>
+        <>The norm is beyond the range of a double: the matrices use the unit quaternion.</>
       ) : (
         <>
           The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
@@ -47,8 +46,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "order-from-text":
       return (
         <>
-          The text tells its order by its {sources[fact.source]} ({lettersOf[fact.order]}
-          ), which is not the declared one; the text wins.
+          The order in the text, by its {sources[fact.source]}, is {lettersOf[fact.order]}, not the
+          declared one; the text wins.
         </>
       );
     case "order-assumed":
@@ -89,14 +88,14 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
       return (
         <>
           Nothing marks the rows of the nine numbers: read row by row. Column by column they are the
-          opposite turn, <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
+          inverse rotation, <code>{shownRoughAngle(fact.columnsDifferByDeg, unit)}</code> away.
         </>
       );
     case "axes-as-columns":
       return (
         <>
-          Vectors with the names of axes are the turned axes: read as the columns of the matrix. As
-          rows they are the opposite turn,{" "}
+          Vectors with the names of axes are the rotated axes: read as the columns of the matrix. As
+          rows they are the inverse rotation,{" "}
           <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
         </>
       );
@@ -113,22 +112,22 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "negative-scalar":
       return (
         <>
-          The scalar is negative: −{symbol} is the same rotation, one more turn away, and names the
-          shorter turn, which is the one given below.
+          The scalar is negative: −{symbol} is the same rotation, and the angle below is that of −
+          {symbol}, the shorter way.
         </>
       );
     case "no-turn":
       return (
         <>
-          This is no turn at all. Apart from the order of the numbers, it tells no convention from
-          another.
+          This is the identity: no rotation. Apart from the order of the numbers, it cannot tell
+          conventions apart.
         </>
       );
     case "nearly-no-turn":
       return (
         <>
-          Nearly no turn, <code>{roughDegrees(fact.angleDeg)}</code> (
-          <code>{rough(fact.angleRad)}</code> rad): in a quaternion of six decimals the axis{" "}
+          Nearly no rotation, <code>{roughDegrees(fact.angleDeg)}</code> (
+          <code>{rough(fact.angleRad)}</code> rad): with six decimals the axis of the quaternion{" "}
           {fact.axisUncertainByDeg === undefined ? (
             <>is lost.</>
           ) : (
@@ -142,15 +141,15 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
       return (
         <>
           Half a turn: the axis and its opposite are equally right, and the matrix is its own
-          transpose. Apart from the order of the numbers, it tells no convention from another.
+          transpose. Apart from the order of the numbers, it cannot tell conventions apart.
         </>
       );
     case "nearly-half-turn":
       return (
         <>
           Nearly half a turn, short of it by <code>{roughDegrees(fact.shortByDeg)}</code> (
-          <code>{rough(fact.shortByRad)}</code> rad): rounding may turn the axis round, and {symbol}{" "}
-          into −{symbol}.
+          <code>{rough(fact.shortByRad)}</code> rad): rounding may flip the axis, and the sign of{" "}
+          {symbol}.
         </>
       );
     case "out-of-range":
@@ -158,7 +157,7 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
   }
 }
 
-/** What the buttons that mend an input are called. */
+/** What the buttons that fix an input are called. */
 export const fixWords = {
   normalise: (symbol: string) => `Write ${symbol}/|${symbol}|`,
   negate: (symbol: string) => `Write −${symbol}`,
@@ -176,7 +175,7 @@ export const doneWords = (label: string) => `Done: ${label}.`;
 
 /** What the buttons beside a problem are called. */
 export const remedyWords: Record<Remedy, string> = {
-  "match-brackets": "Mend the brackets",
+  "match-brackets": "Fix the brackets",
   "decimal-points": "Write decimal points",
   "plain-characters": "Write plain characters",
   "remove-mark": "Remove the mark",
@@ -187,19 +186,19 @@ export const remedyWords: Record<Remedy, string> = {
   "name-number": "Name the number",
   "same-unit": "Write the unit",
   "write-zero": "Write 0",
-  "write-identity": "Write the identity, no turn",
+  "write-identity": "Write the identity",
   "rotation-part": "Keep the rotation part",
-  "restore-axis": "Turn the axis round",
+  "restore-axis": "Flip the axis",
   "nearest-rotation": "Write the nearest rotation",
 };
 
 export const fixKey = "Alt+Enter";
 
 export const problemWords = {
-  expected: "Expected",
-  try: "Try",
-  old: "What stands below is the last result, from before this problem.",
-  opening: "What stands below is the example that the page opens with.",
+  expected: "Expected:",
+  try: "Try:",
+  old: "Showing the last valid result.",
+  opening: "Showing the opening example.",
 };
 
 /** The scalar's sign does not matter, which is plain to few. */
@@ -232,8 +231,8 @@ export function gimbalLockWords({
           (<code>{distance}</code> from it)
         </>
       )}
-      : the outer axes are one line, and only {names[0]} {sign} {names[2]} = <code>{survivor}</code>{" "}
-      is determined; {lost} is lost and set to 0.
+      : the first and third axes coincide, only {names[0]} {sign} {names[2]} ={" "}
+      <code>{survivor}</code> is determined, and {lost} is set to 0.
     </>
   );
 }
@@ -244,8 +243,8 @@ export function nearLockWords(distanceDeg: number, unit: Unit): ComponentChildre
   return (
     <>
       <strong>Near gimbal lock</strong> (<code>{shownRoughAngle(distanceDeg, unit, 2)}</code> from
-      it): an error of the attitude is up to <code>{rough(times)}</code> times as large in the outer
-      angles.
+      it): errors of the attitude are up to <code>{rough(times)}</code> times as large in the first
+      and third angles.
     </>
   );
 }

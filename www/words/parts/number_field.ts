@@ -4,7 +4,7 @@
 export const numberProblem = (
   typed: string,
   { message, expected }: { message: string; expected: string },
-) => (typed.trim() === "" ? "A number is missing here." : `${message}. Expected ${expected}.`);
+) => (typed.trim() === "" ? "A number is missing here." : `${message}. Expected: ${expected}.`);
 
 export const fieldWords = {
   component: (group: string, name: string) => `${group}, ${name}`,

@@ -13,9 +13,11 @@ export const labels = (product: ComponentChildren, made: ComponentChildren) => (
 export const camera = (product: ComponentChildren) => (
   <>A camera C on the body B: {product} is its quaternion in the world.</>
 );
-/** By the axes that a small turn is on. */
+/** By the axes of a small rotation. */
 export const increment = {
-  local: (product: ComponentChildren) => <>A small turn on the body's axes: {product}.</>,
-  global: (product: ComponentChildren) => <>A small turn on the world's axes: {product}.</>,
+  local: (product: ComponentChildren) => <>A small rotation about the body's axes: {product}.</>,
+  global: (product: ComponentChildren) => <>A small rotation about the world's axes: {product}.</>,
 };
-export const bodyRate = (derivative: ComponentChildren) => <>The body's rate: {derivative}.</>;
+export const bodyRate = (derivative: ComponentChildren) => (
+  <>The body's angular velocity: {derivative}.</>
+);

@@ -20,21 +20,21 @@ export const matrix = (of: keyof typeof frameWords) => `new axes of the ${frameW
 export const caption = ({ text, determinant }: MappedAxes) =>
   `new x y z = ${text.replaceAll("-", "−")}, determinant ${determinant > 0 ? "+1" : "−1"}`;
 
-/** World and body change differently, and the hand is kept or changed. */
+/** World and body change differently, and the handedness is kept or changed. */
 export const different = (hand: MappedAxes["hand"]) =>
-  `World and body change differently, so the turn that leads from the one to the other is another one than before${
-    hand === "changed" ? ", counted by the other hand of both" : ""
+  `World and body change differently, so the rotation from one to the other changes${
+    hand === "changed" ? ", and so does the handedness of both" : ""
   }. Determinants of different sign would make a reflection, which has no quaternion.`;
 
 export const mirrored = (
   <>
-    <strong>Both change the hand of the axes</strong>: right-handed ones become left-handed, or the
-    other way round. The turn in space stays the same, but it is counted by the other hand: what was
-    counter-clockwise about an axis, seen against it, is now clockwise. So the rotation vector
-    becomes −<var>A</var> times the old one, not <var>A</var> times. One side alone would be a
-    reflection, which has no quaternion.
+    <strong>Both change the handedness of the axes</strong>: right-handed ones become left-handed,
+    or the reverse. The rotation in space stays the same, but its sign is now that of the other
+    hand: counter-clockwise about an axis becomes clockwise. So the rotation vector becomes −
+    <var>A</var> times the old one, not <var>A</var> times. One side alone would be a reflection,
+    which has no quaternion.
   </>
 );
 
 export const kept =
-  "Both keep the hand of the axes (determinant +1), so a turn that was counter-clockwise about an axis is so still.";
+  "Both keep the handedness of the axes (determinant +1): counter-clockwise about an axis stays counter-clockwise.";

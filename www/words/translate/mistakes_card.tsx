@@ -3,14 +3,14 @@ import type { ComponentChildren } from "preact";
 import type { MistakeKind, TranslateReport } from "../../engine.ts";
 
 export const title = "What goes wrong with these numbers";
-export const none = "no difference: these numbers do not show the mistake, others will";
+export const none = "no difference with these numbers; others show the mistake";
 export const off = (angle: ComponentChildren) => <>{angle} off</>;
 
 const mistakeWords: Record<MistakeKind, string> = {
   copied: "copied as they are",
   "not-reordered": "not reordered",
   "not-conjugated": "not conjugated",
-  "conjugated-needlessly": "conjugated, though it must not be",
+  "conjugated-needlessly": "conjugated needlessly",
   "constructor-order": "passed to the constructor as the array stands",
   "axes-kept": "axes not changed",
 };

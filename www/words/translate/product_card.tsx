@@ -18,7 +18,7 @@ export const unknown = (identifyAddress: string) => (
   <>
     The product of one of the two is {notEstablished}; a message has none of its own, only the
     library that reads it. With what a library prints, <a href={identifyAddress}>Identify</a> finds
-    it out.
+    out.
   </>
 );
 

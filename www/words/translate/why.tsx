@@ -24,10 +24,10 @@ export const sentence = ({
   hasAxes: boolean;
 }) => (
   <>
-    {isAssumed && <strong>As is assumed, for it is not established: </strong>}
+    {isAssumed && <strong>Assumed, as it is not established: </strong>}
     {frames}{" "}
     <strong>{isConjugated ? "The vector part changes its sign" : "Nothing is conjugated"}</strong>,{" "}
-    {order}.{hasAxes && " The new axes then change the numbers once more."}
+    {order}.{hasAxes && " The new axes then change the numbers again."}
   </>
 );
 
@@ -49,7 +49,7 @@ export const each = (
   </>
 );
 
-export const inverse = " One undoes the other, so each is the inverse of the other.";
+export const inverse = " Each is the inverse of the other.";
 
 export const transposed = (names: EndNames, direction: Direction, actions: [Action, Action]) => (
   <>

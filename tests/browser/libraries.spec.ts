@@ -69,6 +69,87 @@ test("a record is opened by keyboard, and its numbers are loaded only then", asy
   await expect(record).toBeHidden();
 });
 
+test("the list is one stop of the Tab key: arrows lead through it, Enter opens", async ({
+  page,
+}) => {
+  await page.goto("/#libraries?find=rust");
+  const links = page.locator(".library-row a");
+  await tabTo(page, page.getByRole("searchbox"));
+  // From the search straight to the list.
+  await page.keyboard.press("ArrowDown");
+  const count = await links.count();
+  expect(count).toBeGreaterThan(4);
+  for (let at = 0; at < count; at += 1) {
+    await expect(links.nth(at)).toBeFocused();
+    await page.keyboard.press("ArrowDown");
+  }
+  await expect(links.last()).toBeFocused();
+  await page.keyboard.press("Home");
+  await expect(links.first()).toBeFocused();
+  await page.keyboard.press("End");
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  const opened = links.nth(count - 2);
+  await expect(opened).toHaveAttribute("aria-expanded", "true");
+  await expect(opened).toBeFocused();
+  // Its links follow, then what stands below the list; back again leads to the library.
+  await page.keyboard.press("Tab");
+  await expect(page.getByRole("link", { name: "Translate from" })).toBeFocused();
+  await page.keyboard.press("Shift+Tab");
+  await expect(opened).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(page.locator(".record")).toHaveCount(0);
+  await page.keyboard.press("Tab");
+  await expect(page.locator(".libraries :focus")).toHaveCount(0);
+  // Where the library is not found any more, the Tab key reaches the first one that is.
+  await page.getByRole("searchbox").fill("unity");
+  await expect(page.locator(".library-row a[tabindex='0']")).toHaveText("Unity Quaternion");
+});
+
+test("a group is gone to", async ({ page }) => {
+  await page.goto("/#libraries");
+  await page.getByRole("button", { name: "Mathematics" }).click();
+  await expect(page.getByRole("heading", { name: "Mathematics" })).toBeInViewport({ ratio: 1 });
+  const group = page.locator("tbody", { has: page.locator("h2", { hasText: "Mathematics" }) });
+  await expect(group.getByRole("link").first()).toBeFocused();
+  await page.getByRole("searchbox").fill("openvins");
+  await expect(page.getByRole("button", { name: "Estimation" })).toBeEnabled();
+  await expect(page.getByRole("button", { name: "Mathematics" })).toBeDisabled();
+});
+
+for (const width of [320, 360, 390, 768]) {
+  test(`a library is one line at ${width} px, and opens where it is tapped`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 844 });
+    await page.goto("/#libraries");
+    await expect(page.locator(".library-row").first()).toBeVisible();
+    const rows = await page.locator(".library-row").evaluateAll((found) =>
+      found.map((row) => ({
+        name: row.querySelector("th")?.textContent,
+        height: row.getBoundingClientRect().height,
+        cells: [...row.querySelectorAll("td")].filter((cell) => cell.checkVisibility()).length,
+        beyond: row.scrollWidth - row.clientWidth,
+      })),
+    );
+    expect(rows.length).toBeGreaterThanOrEqual(60);
+    for (const { name, height, cells, beyond } of rows) {
+      expect(height, `${name}`).toBeGreaterThanOrEqual(36);
+      expect(height, `${name}`).toBeLessThan(44);
+      expect(cells, `${name}`).toBeGreaterThanOrEqual(3);
+      expect(beyond, `${name}`).toBeLessThanOrEqual(0);
+    }
+    // 18 317 px at 390 px, as cards.
+    expect(await page.evaluate(() => document.body.scrollHeight)).toBeLessThan(5_000);
+    const row = page.locator("#library-eigen");
+    await expect(row.locator("td:visible").first()).toHaveText("x y z w");
+    await expect(row.locator("strong:visible")).toHaveText("w x y z");
+    // Anywhere on the line.
+    await row.click({ position: { x: width - 60, y: 10 } });
+    await expect(row.locator("td:visible")).toHaveCount(9);
+    await expect(page.getByRole("article", { name: /^The record of Eigen/ })).toBeVisible();
+    expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
+  });
+}
+
 test("an address opens its record and brings it into view", async ({ page }) => {
   await page.goto("/#libraries?library=joml");
   const row = page.locator("#library-joml");

@@ -5,7 +5,7 @@ import { shortcutChoices, themes } from "../../model/settings.ts";
 import type { ShortcutName } from "../../model/shortcut_name.ts";
 import { chooseShortcuts, chooseTheme, shortcuts, theme } from "../../state/settings.ts";
 import {
-  numberKeys,
+  innerKeys,
   orWord,
   remembered,
   shortcutWords,
@@ -33,7 +33,7 @@ export function Help() {
         }))}
       />
       <p>{whereTheyAct}</p>
-      {numberKeys.map(({ heading, rows }) => (
+      {innerKeys.map(({ heading, rows }) => (
         <Fragment key={heading}>
           <h3>{heading}</h3>
           <KeyList rows={rows} />

@@ -1,5 +1,6 @@
 // The Libraries view: what each library means by four numbers; a reference to link to.
-import { useEffect, useId } from "preact/hooks";
+import type { ComponentChild } from "preact";
+import { useEffect, useId, useRef, useState } from "preact/hooks";
 import { toFragment } from "../../address/fragment.ts";
 import type { Group, Known, Library } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
@@ -14,6 +15,7 @@ import {
 } from "../../words/library_behaviour.ts";
 import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "../parts/library.ts";
 import { found } from "../parts/library_search.ts";
+import { placeAfter } from "../parts/roving.ts";
 import { LibraryRecord } from "./Record.tsx";
 import "../parts/ask.css";
 import "../parts/result.css";
@@ -26,7 +28,20 @@ export function Libraries({ store }: { store: Store }) {
   const { libraries } = store.engine;
   const matching = foundIn(store);
   const inputId = useId();
-  useEffect(() => bringIntoView(opened), [opened]);
+  const table = useRef<HTMLTableElement>(null);
+  const links = () => [...(table.current?.querySelectorAll<HTMLElement>(".library-row a") ?? [])];
+  // The list is one stop of the Tab key: the library that had the focus, or was opened, last.
+  const [last, setLast] = useState("");
+  const grouped = groups.map((group) => ({
+    group,
+    members: matching.filter((library) => library.group === group),
+  }));
+  const ids = grouped.flatMap(({ members }) => members.map(({ id }) => id));
+  const stop = ids.includes(last) ? last : ids[0];
+  useEffect(() => {
+    bringIntoView(opened);
+    setLast((last) => opened || last);
+  }, [opened]);
   return (
     <>
       <section class="ask library-ask" aria-label={words.input}>
@@ -41,11 +56,32 @@ export function Libraries({ store }: { store: Store }) {
             placeholder={words.findExample}
             value={find}
             onInput={(event) => store.set({ find: event.currentTarget.value })}
+            onKeyDown={(event) => {
+              if (event.key !== "ArrowDown") return;
+              event.preventDefault();
+              links()
+                .find((link) => link.tabIndex === 0)
+                ?.focus();
+            }}
           />
         </div>
         <p class="library-intro">
-          {counted(matching, libraries)} {words.legend}
+          {counted(matching, libraries)} {words.matrices}{" "}
+          <span class="of-columns">{words.actsFirst}</span>{" "}
+          <span class="of-lines">{words.constructorInBold}</span> {words.dash}
         </p>
+        <nav class="library-groups" aria-label={words.groups}>
+          {grouped.map(({ group, members }) => (
+            <button
+              key={group}
+              type="button"
+              disabled={members.length === 0}
+              onClick={() => goToGroup(group)}
+            >
+              {groupNames[group]}
+            </button>
+          ))}
+        </nav>
       </section>
       <div class="result current">
         {matching.length === 0 ? (
@@ -56,7 +92,19 @@ export function Libraries({ store }: { store: Store }) {
             </button>
           </p>
         ) : (
-          <table class="libraries">
+          <table
+            ref={table}
+            class="libraries"
+            onKeyDown={(event) => {
+              const rows = links();
+              const at = rows.indexOf(event.target as HTMLElement);
+              if (at < 0) return;
+              const next = placeAfter(event, at, { count: rows.length, columns: rows.length });
+              if (next === undefined) return;
+              event.preventDefault();
+              rows[next]?.focus();
+            }}
+          >
             <thead>
               <tr>
                 {columns.map((name) => (
@@ -66,11 +114,13 @@ export function Libraries({ store }: { store: Store }) {
                 ))}
               </tr>
             </thead>
-            {groups.map((group) => (
+            {grouped.map(({ group, members }) => (
               <GroupRows
                 key={group}
                 group={group}
-                libraries={matching.filter((library) => library.group === group)}
+                libraries={members}
+                stop={stop}
+                onFocus={setLast}
                 store={store}
               />
             ))}
@@ -85,6 +135,15 @@ function foundIn(store: Store): readonly Library[] {
   const { engine } = store;
   const { find } = store.state.value;
   return found(engine.libraries, find, (library) => aboutLibrary(library, engine));
+}
+
+const groupId = (group: Group) => `libraries-${group}`;
+
+/** Its heading comes to the top, and its first library has the focus. */
+function goToGroup(group: Group) {
+  const heading = document.getElementById(groupId(group));
+  heading?.scrollIntoView({ block: "start" });
+  heading?.parentElement?.querySelector("a")?.focus({ preventScroll: true });
 }
 
 const rowId = (id: string) => `library-${id}`;
@@ -105,11 +164,18 @@ function counted(matching: readonly Library[], all: readonly Library[]): string 
   return words.counted(matching.length, all.length, known);
 }
 
+/** The library that the Tab key reaches, and what is done when one has the focus. */
+interface Stop {
+  stop: string | undefined;
+  onFocus: (id: string) => void;
+}
+
 function GroupRows({
   group,
   libraries,
   store,
-}: {
+  ...stop
+}: Stop & {
   group: Group;
   libraries: readonly Library[];
   store: Store;
@@ -118,14 +184,16 @@ function GroupRows({
   const { library: opened } = store.state.value;
   return (
     <tbody>
-      <tr class="library-group">
+      <tr id={groupId(group)} class="library-group">
         <th scope="rowgroup" colSpan={columns.length}>
           <h2>{groupNames[group]}</h2>
         </th>
       </tr>
       {libraries.flatMap((library) => {
         const isOpen = library.id === opened;
-        const row = <Row key={library.id} library={library} isOpen={isOpen} store={store} />;
+        const row = (
+          <Row key={library.id} library={library} isOpen={isOpen} store={store} {...stop} />
+        );
         if (!isOpen) return [row];
         return [
           row,
@@ -140,37 +208,88 @@ function GroupRows({
   );
 }
 
-function Row({ library, isOpen, store }: { library: Library; isOpen: boolean; store: Store }) {
-  const { family, first } = establishedOf(store.engine.describeLibrary(library.id));
+function Row({
+  library,
+  isOpen,
+  store,
+  stop,
+  onFocus,
+}: Stop & { library: Library; isOpen: boolean; store: Store }) {
   const toggled = { ...store.state.value, library: isOpen ? "" : library.id };
-  const { arrayOrder, handedness, matrix, vectors } = library;
-  const constructed = library.constructorOrder && lettersOf[library.constructorOrder];
-  const isOther = ordersOf(library).length === 2;
-  const cells = [
-    library.version,
-    knownWords[library.known][0],
-    arrayOrder && lettersOf[arrayOrder],
-    isOther ? <strong>{constructed}</strong> : constructed,
-    handedness && productWords[handedness],
-    library.rotate && `${library.rotate}(q)`,
-    matrix && `${matrix}(q)${vectors === undefined ? "" : vectors === "row" ? ", v M" : ", M v"}`,
-    first && (first === "right" ? "b" : "a"),
-    family && <span class={`family ${accentOf(family)}`}>{familyWords[family][0]}</span>,
-  ];
   return (
     <tr id={rowId(library.id)} class={isOpen ? "library-row open" : "library-row"}>
       <th scope="row">
-        <a href={`#${toFragment(toggled)}`} aria-expanded={isOpen}>
+        <a
+          href={`#${toFragment(toggled)}`}
+          aria-expanded={isOpen}
+          tabIndex={library.id === stop ? 0 : -1}
+          onFocus={() => onFocus(library.id)}
+        >
           {library.name}
         </a>
       </th>
-      {cells.map((cell, at) => (
-        <td key={columns[at + 1]} data-label={columns[at + 1]}>
-          {cell ?? <NotEstablished />}
+      {cellsOf(library, store).map(({ content, line }, at) => (
+        <td
+          key={columns[at + 1]}
+          class={line ? `line-cell line-${line}` : undefined}
+          data-label={columns[at + 1]}
+        >
+          {content ?? <NotEstablished />}
         </td>
       ))}
     </tr>
   );
+}
+
+interface Cell {
+  content?: ComponentChild;
+  /** Its place in the line that stands for the row on a phone; the others wait for the record. */
+  line?: "order" | "other-order" | "product" | "matrix" | "family" | false | undefined;
+}
+
+/** What is known of a library, in the order of the columns. */
+function cellsOf(library: Library, store: Store): Cell[] {
+  const { family, first } = establishedOf(store.engine.describeLibrary(library.id));
+  const accent = accentOf(family);
+  const { arrayOrder, constructorOrder, handedness, matrix, rotate, vectors } = library;
+  const constructed = constructorOrder && lettersOf[constructorOrder];
+  const isOther = ordersOf(library).length === 2;
+  const isRotating = rotate !== undefined || matrix === undefined;
+  return [
+    { content: library.version },
+    { content: knownWords[library.known][0] },
+    {
+      content: arrayOrder && lettersOf[arrayOrder],
+      line: isOther ? "other-order" : (arrayOrder || !constructorOrder) && "order",
+    },
+    {
+      content: isOther ? <strong>{constructed}</strong> : constructed,
+      line: (isOther || (!arrayOrder && constructorOrder)) && "order",
+    },
+    {
+      content: handedness && (
+        <span class={`line-accent ${accent}`}>{productWords[handedness]}</span>
+      ),
+      line: "product",
+    },
+    { content: rotate && `${rotate}(q)`, line: isRotating && "matrix" },
+    {
+      content: matrix && (
+        <>
+          {matrix}(q)
+          <span class="matrix-vectors">
+            {vectors === undefined ? "" : vectors === "row" ? ", v M" : ", M v"}
+          </span>
+        </>
+      ),
+      line: !isRotating && "matrix",
+    },
+    { content: first && (first === "right" ? "b" : "a") },
+    {
+      content: family && <span class={`family ${accent}`}>{familyWords[family][0]}</span>,
+      line: "family",
+    },
+  ];
 }
 
 function NotEstablished() {

@@ -44,8 +44,8 @@ export const shortcutWords: Record<ShortcutName, string> = {
   mend: "Fix the text of a field as the button says that shows these keys",
 };
 
-/** What the keys do in the numbers of the result, and in one that is edited. */
-export const numberKeys = [
+/** What the keys do in the numbers of the result, in one that is edited, and in the list of libraries. */
+export const innerKeys = [
   {
     heading: "On the numbers of the result",
     rows: [
@@ -67,6 +67,14 @@ export const numberKeys = [
       { keys: ["Enter"], does: "Keep the edit; the arrow keys lead on" },
       { keys: ["Escape"], does: "Take the edit back" },
       { keys: ["Tab"], does: "Keep the edit and leave these numbers" },
+    ],
+  },
+  {
+    heading: "In the list of libraries",
+    rows: [
+      { keys: ["↑", "↓"], does: "From library to library" },
+      { keys: ["Home", "End"], does: "To the first and the last" },
+      { keys: ["Enter"], does: "Open or close the record" },
     ],
   },
 ] as const;

@@ -7,14 +7,26 @@ export const title = "What libraries mean by four numbers";
 export const find = "Find a library";
 export const findExample = "name, module, language, xyzw, JPL …";
 
-export const legend = (
+export const matrices = (
   <>
     <strong>R</strong> is the matrix of Hamilton's active rotation, <var>R</var>(<var>q</var>){" "}
     <var>v</var> = <var>q</var> <var>v</var> <var>q</var>*, and <strong>C</strong> its transpose.
-    Where no call of a library rotates a vector, what acts first follows from its matrix. A dash
-    means {notEstablished}.
   </>
 );
+
+export const actsFirst =
+  "Where no call of a library rotates a vector, what acts first follows from its matrix.";
+
+/** Where a library is one line. */
+export const constructorInBold = (
+  <>
+    In <strong>bold</strong> the order of the constructor, where it is not that of the array.
+  </>
+);
+
+export const dash = `A dash means ${notEstablished}.`;
+
+export const groups = "Groups";
 
 export const none = "No record has all these words. Try one of them, or";
 export const showAll = (count: number) => `show all ${count}`;

@@ -3,8 +3,8 @@
 
 import { chromium } from "@playwright/test";
 import { preview } from "vite";
+import { setUpChromium } from "../www/tasks/engines.mjs";
 import { gzipTotal, partsOfPage } from "../www/tasks/page_parts.mjs";
-import { setUpBrowser } from "../www/tasks/setup.mjs";
 import { root } from "../www/tasks/shell.mjs";
 
 const runs = 30;
@@ -14,7 +14,7 @@ const server = await preview({
   preview: { port: 4191 },
 });
 const [address] = server.resolvedUrls.local;
-const executablePath = await setUpBrowser();
+const executablePath = await setUpChromium();
 const browser = await chromium.launch({
   ...(executablePath ? { executablePath } : {}),
   args: ["--no-sandbox", "--disable-background-networking"],

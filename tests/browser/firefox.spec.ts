@@ -1,90 +1,73 @@
-// The opening page and the width of every number in Firefox, as people have it: over WebDriver BiDi,
-// because Playwright drives a Firefox of its own making only.
-import { test as base, expect } from "@playwright/test";
-import { launch, type Page } from "puppeteer-core";
-import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
+// Firefox under a finger, in the dark and with less motion, as a system would ask it for them.
+import { type Firefox, startFirefox } from "./engines/firefox.ts";
+import {
+  test as base,
+  expect,
+  middleOf,
+  openView,
+  quaternion,
+  shown,
+} from "./support/engine_test.ts";
+import { fromX } from "./support/page.ts";
 
-const executablePath = process.env["QUATLAS_FIREFOX"];
+const preferences = {
+  "ui.systemUsesDarkTheme": 1,
+  "ui.prefersReducedMotion": 1,
+  // A machine without a touchscreen has no events of it.
+  "dom.w3c_touch_events.enabled": 1,
+};
 
-const test = base.extend<{ firefoxPage: Page }, { firefox: Awaited<ReturnType<typeof launch>> }>({
+const test = base.extend<object, { firefox: Firefox }>({
   firefox: [
     // biome-ignore lint/correctness/noEmptyPattern: Playwright reads the names of the fixtures.
     async ({}, use) => {
-      if (!executablePath) throw new Error("QUATLAS_FIREFOX has no path of a Firefox");
-      const firefox = await launch({
-        browser: "firefox",
-        executablePath,
-        // Every file comes from the server, and nothing is looked up.
-        extraPrefsFirefox: { "dom.serviceWorkers.enabled": false },
-      });
+      const firefox = await startFirefox(preferences);
       await use(firefox);
       await firefox.close();
     },
-    { scope: "worker" },
+    { scope: "worker", timeout: 60_000 },
   ],
-  firefoxPage: async ({ firefox }, use) => {
-    const page = await firefox.newPage();
-    const errors: unknown[] = [];
-    page.on("console", (message) => {
-      if (message.type() === "error") errors.push(message.text());
-    });
-    page.on("pageerror", (error) => errors.push(error));
-    await use(page);
-    await page.close();
-    expect(errors, "console errors").toEqual([]);
-  },
+  started: [({ firefox }, use) => use(firefox), { scope: "worker" }],
 });
-// One browser, which takes some seconds to start on a busy machine.
-test.describe.configure({ mode: "default", timeout: 60_000 });
+test.describe.configure({ mode: "default", timeout: 120_000 });
 
-async function open(page: Page, url: string) {
-  await page.goto(url);
-  await page.waitForFunction(isShown);
-}
+const hasBody = () => document.querySelector(".stage .picture-body") !== null;
 
-test("Firefox opens on 45° about z with every output filled", async ({ firefoxPage, baseURL }) => {
-  await firefoxPage.setViewport({ width: 1280, height: 800 });
-  await open(firefoxPage, `${baseURL}`);
-  const valuesIn = (name: string) =>
-    firefoxPage.$$eval(`table[aria-label="${name}"] input`, (fields) =>
-      fields.map(({ value }) => value.trim()),
-    );
-  const [cosine, sine, minusSine] = ["0.707107", "0.707107", "−0.707107"];
-  expect(await valuesIn("R(q)")).toEqual([
-    cosine,
-    minusSine,
-    "0",
-    sine,
-    cosine,
-    "0",
-    "0",
-    "0",
-    "1",
-  ]);
-  expect(await valuesIn("C(q)")).toEqual([
-    cosine,
-    sine,
-    "0",
-    minusSine,
-    cosine,
-    "0",
-    "0",
-    "0",
-    "1",
-  ]);
-  // A number is typed where it stands, and all others follow.
-  const [first] = await firefoxPage.$$('table[aria-label="R(q)"] input');
-  await first?.focus();
-  await firefoxPage.keyboard.type("1");
-  await firefoxPage.waitForFunction(() => document.querySelector("textarea")?.value[1] === "1");
+test("a finger turns the body, and the page stays", async ({ engine, firefox, site }) => {
+  await openView(engine, `${site.url}#read?quaternion=1+0+0+0&${fromX}`, 390);
+  await shown(engine, hasBody).toBe(true);
+  const { x, y } = await engine.evaluate(middleOf, ".stage .picture-body");
+  const scrolled = await engine.evaluate(() => scrollY);
+  await firefox.swipe({ x, y }, { x, y: y - 20 }, { x, y: y - 60 });
+  await shown(engine, quaternion).toMatch(/^w=0\.\d+ x=0 y=-0\.\d+ z=0$/);
+  expect(await engine.evaluate(() => scrollY)).toBe(scrolled);
 });
 
-for (const address of addresses) {
-  test(`Firefox shows every number whole: ${address}`, async ({ firefoxPage, baseURL }) => {
-    await firefoxPage.setViewport({ width: 1280, height: 800 });
-    await open(firefoxPage, `${baseURL}#${encodeURI(address)}`);
-    expect(await firefoxPage.evaluate(cutNumbers), "1280 px").toEqual([]);
-    await firefoxPage.setViewport({ width: 320, height: 800 });
-    expect(await firefoxPage.evaluate(cutNumbers), "320 px").toEqual([]);
+test("it is dark, and a change of the picture is shown at once", async ({ engine, site }) => {
+  await openView(engine, `${site.url}#read?quaternion=90deg+about+z&vector=1+0+0`, 1280);
+  await shown(engine, hasBody).toBe(true);
+  const colours = await engine.evaluate(() => {
+    const themeColour = document.querySelector("meta[data-theme=dark]")?.getAttribute("content");
+    const sample = document.createElement("span");
+    sample.style.color = themeColour ?? "";
+    document.body.append(sample);
+    const { color } = getComputedStyle(sample);
+    sample.remove();
+    return { paper: getComputedStyle(document.body).backgroundColor, dark: color };
   });
-}
+  expect(colours.paper).toBe(colours.dark);
+
+  const drawings = await engine.evaluate(async () => {
+    const picture = document.querySelector(".stage svg") as Element;
+    const seen = new Set<string>();
+    const watch = new MutationObserver(() => seen.add(picture.innerHTML));
+    watch.observe(picture, { attributes: true, childList: true, subtree: true });
+    document.querySelector<HTMLInputElement>("[type=radio][value=active]")?.click();
+    for (let frames = 0; frames < 10; frames += 1) {
+      await new Promise((painted) => requestAnimationFrame(painted));
+    }
+    watch.disconnect();
+    return seen.size;
+  });
+  expect(drawings).toBe(1);
+});

@@ -1,9 +1,15 @@
 import { defineConfig } from "@playwright/test";
+import type { EngineName } from "./engines/engine.ts";
 
 const executablePath = process.env["QUATLAS_BROWSER"];
 const port = Number(process.env["QUATLAS_PORT"] ?? 4187);
 
-export default defineConfig({
+/** What matters most; all other tests are Chromium's. */
+const inEveryEngine = "engines.spec.ts";
+const ofFirefox = "firefox.spec.ts";
+const isThere = (variable: string) => Boolean(process.env[variable]);
+
+export default defineConfig<object, { engineName: EngineName }>({
   testDir: ".",
   outputDir: "results",
   fullyParallel: true,
@@ -27,6 +33,19 @@ export default defineConfig({
       ],
     },
   },
+  projects: [
+    { name: "Chromium", testIgnore: ofFirefox },
+    {
+      name: "Firefox",
+      testMatch: isThere("QUATLAS_FIREFOX") ? [inEveryEngine, ofFirefox] : [],
+      use: { engineName: "firefox" },
+    },
+    {
+      name: "WebKit",
+      testMatch: isThere("QUATLAS_WEBKIT") ? inEveryEngine : [],
+      use: { engineName: "webkit" },
+    },
+  ],
   webServer: {
     command: `vite preview --config www/vite.config.ts --port ${port} --strictPort`,
     cwd: "../..",

@@ -1,4 +1,5 @@
-// No number of any view is cut at any width, with any number of decimals. firefox.spec.ts has its own.
+// No number of any view is cut at any width, with any number of decimals. engines.spec.ts has the other
+// engines.
 import { expect, matrix, test } from "./support/page.ts";
 import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
 

@@ -105,65 +105,6 @@ export async function setUpRustChecks() {
   await runQuietly(add, "rustup", "component", "add", ...missing);
 }
 
-const CHROMIUM = {
-  names: ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"],
-  paths: [
-    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-    "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
-  ],
-  packages: ["chromium", "fonts-dejavu-core"],
-};
-const FIREFOX = {
-  names: ["firefox-esr", "firefox"],
-  paths: [
-    "/Applications/Firefox.app/Contents/MacOS/firefox",
-    "C:\\Program Files\\Mozilla Firefox\\firefox.exe",
-  ],
-  packages: ["firefox-esr", "fonts-dejavu-core"],
-};
-
-/** Finds or installs a Chromium and returns its path; undefined where Playwright has its own. */
-export async function setUpBrowser() {
-  const found = findBrowser(CHROMIUM) ?? (await installBrowser("Chromium", CHROMIUM));
-  if (found !== undefined) return found;
-  say("installing Playwright's Chromium for the browser tests (first time only, a minute)");
-  const advice = "install Chromium or Chrome by hand and run this again";
-  const install = { task: "install Playwright's Chromium", advice };
-  await runQuietly(install, "playwright", "install", "chromium");
-  return undefined;
-}
-
-/** Finds or installs a Firefox and returns its path; Playwright's own is another one than people have. */
-export async function setUpFirefox() {
-  const found = findBrowser(FIREFOX) ?? (await installBrowser("Firefox", FIREFOX));
-  if (found !== undefined) return found;
-  throw new Stop(
-    "the browser tests need a Firefox and none could be installed: install Firefox by hand and run this again",
-  );
-}
-
-/** Installs the distribution's where that can be done, and returns its path. */
-async function installBrowser(name, browser) {
-  const isRoot = process.getuid?.() === 0;
-  if (!isRoot || ask("apt-get", "--version") === undefined) return undefined;
-  say(`installing the distribution's ${name} for the browser tests (first time only, a minute)`);
-  try {
-    const install = { task: `install ${name}`, advice: network };
-    const options = ["-y", "--no-install-recommends"];
-    await runQuietly(install, "apt-get", "update");
-    await runQuietly(install, "apt-get", "install", ...options, ...browser.packages);
-  } catch (error) {
-    if (!(error instanceof Stop)) throw error;
-  }
-  return findBrowser(browser);
-}
-
-function findBrowser({ names, paths }) {
-  const path = paths.find(existsSync);
-  if (path !== undefined || process.platform === "win32") return path;
-  return names.map((name) => ask("which", name)).find(Boolean);
-}
-
 /** Builds both cores and what the page knows of them, unless nothing they are made of has changed. */
 export async function buildCore() {
   const inputs =

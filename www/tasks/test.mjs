@@ -2,11 +2,15 @@
 // `npm test -- rust page` runs only the named steps.
 import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
+import { setUpEngines } from "./engines.mjs";
 import { buildPackage } from "./package.mjs";
-import { buildCore, setUp, setUpBrowser, setUpFirefox, setUpRustChecks } from "./setup.mjs";
+import { buildCore, setUp, setUpRustChecks } from "./setup.mjs";
 import { main, root, run, runTogether, Stop, say } from "./shell.mjs";
 
 const warningsAreErrors = ["--", "-D", "warnings"];
+
+/** The engines that the page was tested in. */
+let covered = [];
 
 const steps = {
   format: async () => {
@@ -45,8 +49,7 @@ const steps = {
     return runTogether([...test, ...named([longest])], [...test, "--lib", ...named(others)]);
   },
   page: async () => {
-    process.env.QUATLAS_BROWSER = (await setUpBrowser()) ?? "";
-    process.env.QUATLAS_FIREFOX = await setUpFirefox();
+    covered = await setUpEngines();
     await buildCore();
     say("building the page");
     run("vite", "build", "--config", "www/vite.config.ts", "--logLevel", "warn");
@@ -76,5 +79,6 @@ await main(async () => {
     say(`testing: ${name}`);
     await step();
   }
+  if (covered.length > 0) console.log(`engines: ${covered.join(", ")}`);
   console.log(`steps: ${chosen.length} passed, 0 failed`);
 });

@@ -33,10 +33,12 @@ export type Site = Awaited<ReturnType<typeof openSite>>;
 export async function openSite() {
   const folder = mkdtempSync(join(tmpdir(), "quatlas-site-"));
   cpSync(built, folder, { recursive: true });
+  const missing: string[] = [];
   const server = createServer(({ url = "" }, response) => {
     const { pathname } = new URL(url, "http://localhost");
     const path = pathname.slice(subFolder.length) || "index.html";
     const content = pathname.startsWith(subFolder) ? read(join(folder, path)) : undefined;
+    if (content === undefined) missing.push(pathname);
     response.writeHead(content ? 200 : 404, { "Content-Type": types[extname(path)] ?? "" });
     response.end(content);
   });
@@ -45,6 +47,8 @@ export async function openSite() {
   return {
     url: `http://localhost:${port}${subFolder}`,
     folder,
+    /** What was asked for and is not there. */
+    missing,
     /** From now on nothing is answered. */
     goAway: () => {
       server.close();

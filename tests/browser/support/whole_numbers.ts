@@ -16,6 +16,8 @@ export const addresses = [
   "libraries?library=eigen",
 ];
 
+type Extent = Pick<DOMRect, "left" | "right">;
+
 /** Whether the view is there. To be run in the page. */
 export const isShown = () =>
   document.querySelector("main table, main .answer") !== null &&
@@ -38,7 +40,7 @@ export async function cutNumbers(): Promise<string[]> {
     node.closest("[aria-label]")?.getAttribute("aria-label") ?? node.className;
 
   /** The box of the page that ends before a number does. */
-  const cutBy = (node: Element, { left, right }: DOMRect): string | undefined => {
+  const cutBy = (node: Element, { left, right }: Extent): string | undefined => {
     const isOutOf = (from: number, to: number) =>
       left < from - roundingPx || right > to + roundingPx;
     for (let box = node.parentElement; box !== null; box = box.parentElement) {
@@ -91,9 +93,12 @@ export async function cutNumbers(): Promise<string[]> {
     for (const { 0: digits, index } of content.matchAll(number)) {
       range.setStart(text, index);
       range.setEnd(text, index + digits.length);
-      const lines = new Set([...range.getClientRects()].map(({ top }) => Math.round(top)));
+      // WebKit also tells the end of the line before a number, which has no width.
+      const parts = [...range.getClientRects()].filter(({ width }) => width > 0);
+      const lines = new Set(parts.map(({ top }) => Math.round(top)));
       if (lines.size > 1) faults.push(`${namedBy(parent)}: ${digits} is broken over lines`);
-      const place = range.getBoundingClientRect();
+      const left = Math.min(...parts.map((part) => part.left));
+      const place: Extent = { left, right: Math.max(...parts.map((part) => part.right)) };
       if (place.left < box.left - roundingPx || place.right > box.right + roundingPx) {
         faults.push(`${namedBy(parent)}: ${digits} stands out of its box`);
       }

@@ -77,7 +77,7 @@ function next<Choice>(choices: readonly Choice[], chosen: Choice): Choice {
 
 /** The quaternion that a view is about: as declared, of the product, as translated. */
 const copyButtons =
-  ".column:has(.badge) .copy-line button, .road .strip button, .translation-end + .translation-end .strip button";
+  ".column:has(.badge) .copy-line button, .translation-end + .translation-end .strip button";
 
 export const table: readonly Shortcut[] = [
   ...tabNames.flatMap(goTo),

@@ -44,6 +44,9 @@ const arrows: Record<Direction, string> = {
 /** A direction as it stands beside a matrix. */
 export const arrowOf = (direction: Direction) => arrows[direction];
 
+/** On what stands in the declared convention. */
+export const asDeclared = "as declared";
+
 /** What the two presets are called and do. */
 export const wordsOf = {
   hamilton: {

@@ -1,13 +1,15 @@
 // The Compose view: two quaternions, both products, both orders.
+import { type ComponentChildren, Fragment } from "preact";
 import { productValues } from "../../copy/values.ts";
 import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../../engine.ts";
 import { presetOf } from "../../model/conventions.ts";
-import type { Digits } from "../../model/page_state.ts";
-import { shownArray } from "../../number/format.ts";
+import type { Digits, Unit } from "../../model/page_state.ts";
+import { shownAngle, shownArray, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/compose/compose.tsx";
-import { arrowOf, wordsOf } from "../../words/conventions.ts";
+import { arrowOf, asDeclared, wordsOf } from "../../words/conventions.ts";
 import { AskRest } from "../parts/Ask.tsx";
+import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { nameOf } from "../parts/convention_names.ts";
 import { Notes } from "../parts/Notes.tsx";
@@ -16,6 +18,7 @@ import { NamedComponents } from "../parts/ReadAs.tsx";
 import { TextField } from "../parts/TextField.tsx";
 import { UndoRedo } from "../parts/UndoRedo.tsx";
 import { ComponentStrip, Matrix } from "../parts/Value.tsx";
+import "../parts/fold.css";
 import "../parts/result.css";
 import "./compose.css";
 
@@ -28,10 +31,11 @@ export function Compose({ store }: { store: Store }) {
         <div class="ask-row">
           <div class="ask-pair">
             <TextField store={store} field="p" />
-            <TextField store={store} field="q" />
+            <TextField store={store} field="q">
+              <UndoRedo store={store} />
+            </TextField>
           </div>
           <ConventionSwitch store={store} />
-          <UndoRedo store={store} />
         </div>
         <AskRest store={store} freshness={shownResult?.freshness}>
           {shownResult && (
@@ -63,8 +67,9 @@ const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": 
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
 
 function Result({ report, store }: { report: ComposeReport; store: Store }) {
-  const { digits } = store.state.value;
+  const { digits, unit } = store.state.value;
   const { declared } = report;
+  const isPreset = store.engine.describe(declared.convention).preset !== undefined;
   // Each product of the Hamilton kind stands beside the JPL product that has the same numbers.
   const pairs = report.products
     .filter((product) => product.convention.handedness === "right")
@@ -76,33 +81,74 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
     });
   // First the pair that is the same attitude as the product as declared.
   if (declared.direction === "world-to-body") pairs.reverse();
+  const [headline, ...others] = pairs.map(({ hamilton, jpl }) => ({
+    key: hamilton.left,
+    // First the product as declared.
+    tied: declared.convention.handedness === "left" ? [jpl, hamilton] : [hamilton, jpl],
+  }));
+  const shownAs = { engine: store.engine, declared, digits, unit };
   return (
     <>
+      {!isPreset && <ProductCard product={declared} {...shownAs} />}
+      {headline && (
+        <Pair tied={headline.tied} {...shownAs}>
+          <CarryLinks
+            store={store}
+            of={spelled(declared)}
+            quaternion={{ components: declared.quaternion, convention: declared.convention }}
+            to={["read", "translate"]}
+          />
+        </Pair>
+      )}
       <Road report={report} engine={store.engine} digits={digits} />
       <Picture store={store} of="compose" />
-      {pairs.map(({ hamilton, jpl }) => (
-        <section
-          key={hamilton.left}
-          class="pair"
-          aria-label={words.equals(spelled(hamilton), spelled(jpl))}
-        >
-          <h2 class="tie">
-            <span class="hamilton">
-              <Formula product={hamilton} />
-            </span>{" "}
-            <span class="tie-sign">=</span>{" "}
-            <span class="jpl">
-              <Formula product={jpl} />
-            </span>
-            <span class="tie-words">{words.tie}</span>
-          </h2>
-          <div class="columns">
-            <ProductCard product={hamilton} engine={store.engine} digits={digits} />
-            <ProductCard product={jpl} engine={store.engine} digits={digits} />
-          </div>
-        </section>
+      {others.map(({ key, tied }) => (
+        <details key={key} class="fold">
+          <summary>{words.otherOrder(tied.map(spelled).join(" = "))}</summary>
+          <Pair tied={tied} {...shownAs} />
+        </details>
       ))}
     </>
+  );
+}
+
+/** How the numbers of a product are shown. */
+interface ShownAs {
+  engine: Engine;
+  /** The product that has the badge. */
+  declared: Product;
+  digits: Digits;
+  unit: Unit;
+}
+
+/** Two products that have the same numbers. */
+function Pair({
+  tied,
+  children,
+  ...shownAs
+}: ShownAs & { tied: readonly Product[]; children?: ComponentChildren }) {
+  return (
+    <section class="pair" aria-label={tied.map(spelled).join(` ${words.equals} `)}>
+      <div class="pair-head">
+        <h2 class="tie">
+          {tied.map((product, at) => (
+            <Fragment key={spelled(product)}>
+              {at > 0 && <span class="tie-sign"> = </span>}
+              <span class={presetOf[product.convention.handedness]}>
+                <Formula product={product} />
+              </span>
+            </Fragment>
+          ))}{" "}
+          <span class="tie-words">{words.tie}</span>
+        </h2>
+        {children}
+      </div>
+      <div class="columns">
+        {tied.map((product) => (
+          <ProductCard key={spelled(product)} product={product} {...shownAs} />
+        ))}
+      </div>
+    </section>
   );
 }
 
@@ -145,16 +191,6 @@ function Road({
       <h2 id="road-name">
         <Formula product={product} />: {words.firstThen(right, left)}
       </h2>
-      {preset === undefined && (
-        <ComponentStrip
-          symbol={spelled(product)}
-          name={words.declared(spelled(product))}
-          components={product.quaternion}
-          convention={product.convention}
-          value={productValues(product, engine.describe).quaternion}
-          digits={digits}
-        />
-      )}
       <ol class="road-steps">
         <li>
           <span class="road-frame">{words.onAxes(<var>v</var>, start)}</span>
@@ -193,57 +229,77 @@ function OrderWords({ report }: { report: ComposeReport }) {
   }
 }
 
-function ProductCard({
-  product,
-  engine,
-  digits,
-}: {
-  product: Product;
-  engine: Engine;
-  digits: Digits;
-}) {
-  const preset = presetOf[product.convention.handedness];
-  const own = wordsOf[preset];
+function ProductCard({ product, engine, declared, digits, unit }: ShownAs & { product: Product }) {
+  const { preset } = engine.describe(product.convention);
+  const { name, matrix } = preset
+    ? wordsOf[preset]
+    : { name: nameOf(product.convention, engine) ?? words.yours, matrix: undefined };
+  const isDeclared =
+    product.left === declared.left && preset === engine.describe(declared.convention).preset;
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
   const values = productValues(product, engine.describe);
+  const { axis, angleDeg, angleRad } = product.turn;
   return (
-    <section class={`card column ${preset}`} aria-label={`${own.name}: ${spelled(product)}`}>
+    <section
+      class={`card column ${preset ?? "custom"}`}
+      aria-label={`${name}: ${spelled(product)}`}
+    >
       <header>
         <h3>
-          {own.name} <Formula product={product} />
+          {name} <Formula product={product} />
         </h3>
-        <p class="axes">
-          <span>
-            {start} → {middle} → {end}
-          </span>{" "}
-          <span>{words.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)}</span>
+        {isDeclared && <span class="badge">{asDeclared}</span>}
+        <p class="effect">
+          {words.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)} · {start} →{" "}
+          {middle} → {end}
         </p>
       </header>
       <ComponentStrip
         symbol={spelled(product)}
-        name={`${own.name} ${spelled(product)}`}
+        name={preset ? `${name} ${spelled(product)}` : words.declared(spelled(product))}
         components={product.quaternion}
         convention={product.convention}
         value={values.quaternion}
         digits={digits}
+        copied="below"
       />
-      <div class="matrices">
-        <Matrix
-          name={`${own.matrix}(${spelled(product)})`}
-          symbol={
-            <>
-              <var>{own.matrix}</var>(<Formula product={product} />) = <var>{own.matrix}</var>(
-              <var>{product.left}</var>) <var>{own.matrix}</var>(<var>{product.right}</var>)
-            </>
-          }
-          caption={`${start} → ${end}`}
-          rows={product.matrix}
-          value={values.matrix}
-          digits={digits}
-        />
+      <div class="row product-turn">
+        <span class="row-symbol">{words.rotation}</span>
+        <span class="row-value">
+          {axis === undefined ? (
+            words.noRotation
+          ) : (
+            <code>
+              {words.about(
+                shownAngle({ degrees: angleDeg, radians: angleRad }, digits, unit),
+                shownAxis(axis, digits),
+              )}
+            </code>
+          )}
+        </span>
       </div>
-      <p class="turns">{words.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}</p>
+      {matrix !== undefined && (
+        <>
+          <Matrix
+            name={`${matrix}(${spelled(product)})`}
+            symbol={
+              <>
+                <var>{matrix}</var>(<Formula product={product} />)
+              </>
+            }
+            caption={`${start} → ${end}`}
+            rows={product.matrix}
+            value={values.matrix}
+            digits={digits}
+          />
+          <p class="turns">
+            <var>{matrix}</var>(<Formula product={product} />) = <var>{matrix}</var>(
+            <var>{product.left}</var>) <var>{matrix}</var>(<var>{product.right}</var>).{" "}
+            {words.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}
+          </p>
+        </>
+      )}
     </section>
   );
 }

@@ -32,8 +32,8 @@ export function MoreAxes({ store }: { store: Store }) {
   return (
     <details class="more">
       <summary>
-        <span class="more-word">{words.more}</span>{" "}
-        <span class="more-now">{name}</span> {words.choices}
+        <span class="more-word">{words.more}</span> <span class="more-now">{name}</span>{" "}
+        {words.choices}
       </summary>
       <div class="more-panel">
         <div class="named-conventions">

@@ -3,7 +3,7 @@ import { columnValues } from "../../copy/values.ts";
 import type { Column } from "../../engine.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
-import { wordsOf } from "../../words/conventions.ts";
+import { asDeclared, wordsOf } from "../../words/conventions.ts";
 import * as text from "../../words/read/column.ts";
 import { editedComponents, editedMatrix } from "../parts/number_group.ts";
 import { ArrayRow, ComponentStrip, Matrix } from "../parts/Value.tsx";
@@ -37,7 +37,7 @@ export function ConventionColumn({
     <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
       <header>
         <h2 id={`${preset}-name`}>{words.name}</h2>
-        {preset === declared && <span class="badge">{text.asDeclared}</span>}
+        {preset === declared && <span class="badge">{asDeclared}</span>}
         <p class="effect">
           {words.product} · {words.direction}
         </p>

@@ -16,6 +16,7 @@ import { Copy } from "../parts/Copy.tsx";
 import { editedMatrix } from "../parts/number_group.ts";
 import { MatrixOf, RulesList } from "../parts/RulesList.tsx";
 import { Matrix } from "../parts/Value.tsx";
+import "../parts/fold.css";
 import "./folded.css";
 
 interface Given {

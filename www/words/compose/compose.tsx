@@ -5,7 +5,8 @@ import type { ComponentChildren } from "preact";
 type Symbols = ComponentChildren;
 
 export const input = "Input";
-export const equals = (one: string, other: string) => `${one} equals ${other}`;
+/** Between two products, for who does not see the sign. */
+export const equals = "equals";
 export const tie = "the same numbers, transposed matrices";
 
 /** The operand that acts first, and the other one. */
@@ -14,6 +15,11 @@ export const firstThen = (first: Symbols, then: Symbols) => (
     first {first}, then {then}
   </>
 );
+
+export const rotation = "rotation";
+export const noRotation = "none: 0°";
+export const about = (angle: string, axis: string) => `${angle} about ${axis}`;
+export const otherOrder = (products: string) => `The other order: ${products}`;
 
 export const declared = (product: string) => `${product} as declared`;
 

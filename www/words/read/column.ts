@@ -2,7 +2,6 @@
 
 /** Where there is room for one column. */
 export const shownColumn = "Shown in";
-export const asDeclared = "as declared";
 export const inverseOf = (matrix: string) => `inverse of ${matrix}`;
 export const conjugateOf = (convention: string) => `${convention} conjugate`;
 export const conjugate = "the conjugate";

@@ -6,6 +6,7 @@ import type { Store } from "./store.ts";
 const addressDelayMs = 300;
 
 export function keepAddress(store: Store) {
+  nameEntry();
   let pending: ReturnType<typeof setTimeout> | undefined;
   let opened = store.state.peek();
   // What a newer quatlas wrote stays whole until something is changed.
@@ -21,13 +22,14 @@ export function keepAddress(store: Store) {
   });
   addEventListener("pagehide", () => {
     if (staysWhole()) return;
-    remember({ address: location.hash, fragment: toFragment(store.state.peek()) });
+    remember({ entry: entryName(), fragment: toFragment(store.state.peek()) });
     write();
   });
   // A link leaves a history entry behind: it must hold what was typed just before.
   addEventListener("click", write, { capture: true });
   addEventListener("hashchange", ({ newURL }) => {
     clearTimeout(pending);
+    nameEntry();
     // The address itself may have been written again between the change and this event.
     store.open(new URL(newURL).hash);
     opened = store.state.peek();
@@ -37,16 +39,32 @@ export function keepAddress(store: Store) {
 /** What is refused, as an address beyond a megabyte is by some, is remembered when the page closes. */
 function writeAddress(fragment: string) {
   try {
-    history.replaceState(null, "", `#${fragment}`);
+    history.replaceState(history.state, "", `#${fragment}`);
+  } catch {}
+}
+
+/**
+ * The name of the entry of the history that the page stands in. The address is no name: what is written
+ * into it while the browser already leaves may be lost, or not.
+ */
+function entryName(): string | undefined {
+  const state: unknown = history.state;
+  return typeof state === "string" ? state : undefined;
+}
+
+function nameEntry() {
+  if (entryName() !== undefined) return;
+  try {
+    history.replaceState(`quatlas ${Date.now()} ${Math.random()}`, "");
   } catch {}
 }
 
 /**
  * A reload, and a return, take the address as it was before the page closed: what was typed since
- * the last writing would be lost. So it is remembered in the tab, with the address it belongs to.
+ * the last writing would be lost. So it is remembered in the tab, with the entry it belongs to.
  */
 interface Closing {
-  address: string;
+  entry: string | undefined;
   fragment: string;
 }
 
@@ -66,7 +84,7 @@ export function restoreAddress() {
     sessionStorage.removeItem(key);
     const [visit] = performance.getEntriesByType("navigation");
     if (remembered === null || (visit as PerformanceNavigationTiming).type === "navigate") return;
-    const { address, fragment }: Closing = JSON.parse(remembered);
-    if (address === location.hash) writeAddress(fragment);
+    const { entry, fragment }: Closing = JSON.parse(remembered);
+    if (entry !== undefined && entry === entryName()) writeAddress(fragment);
   } catch {}
 }

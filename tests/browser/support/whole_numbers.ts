@@ -30,6 +30,10 @@ export const isShown = () =>
  */
 export async function cutNumbers(): Promise<string[]> {
   for (const details of document.querySelectorAll("details")) details.open = true;
+  // Where there is room for one column, both, as if the visitor switched.
+  for (const columns of document.querySelectorAll(".columns")) {
+    columns.classList.remove("columns-of-hamilton", "columns-of-jpl");
+  }
   // The signs at the edges follow the sizes.
   for (const _ of [1, 2]) await new Promise((painted) => requestAnimationFrame(painted));
   const faults: string[] = [];
@@ -44,7 +48,8 @@ export async function cutNumbers(): Promise<string[]> {
     const isOutOf = (from: number, to: number) =>
       left < from - roundingPx || right > to + roundingPx;
     for (let box = node.parentElement; box !== null; box = box.parentElement) {
-      if (box.matches(".matrix-scroll")) return undefined;
+      // The settings are one row, which goes on sideways on a phone.
+      if (box.matches(".matrix-scroll, .ask-line")) return undefined;
       const { overflowX, display } = getComputedStyle(box);
       if (overflowX === "visible" || display === "inline") continue;
       const { left: from, right: to } = box.getBoundingClientRect();
@@ -77,7 +82,9 @@ export async function cutNumbers(): Promise<string[]> {
   ruler.remove();
 
   const number = /(?<![\d.\w])[−-]?\d(?:[\d.]*\d)?(?:e[−-]?\d+)?/g;
-  const unread = "textarea, select, noscript, .field-mirror, .visually-hidden, .skip";
+  // A line of code that is copied is shown as far as there is room: its numbers stand above it.
+  const unread =
+    "textarea, select, noscript, .field-mirror, .visually-hidden, .skip, .copy-line > code";
   const range = document.createRange();
   const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let text = texts.nextNode(); text !== null; text = texts.nextNode()) {

@@ -195,7 +195,7 @@ test("the title tells the case, and where there is none the view", async ({ page
       "read?as=jpl&quaternion=0.02 -0.01 0.38 0.92",
       "44.96° about (0.0525, −0.0263, 0.998) · JPL 0.02 −0.01 0.38 0.92",
     ],
-    ["read?order=scalar-last&quaternion=0 0 0 1", "no turn · Hamilton (x y z w) 0 0 0 1"],
+    ["read?order=scalar-last&quaternion=0 0 0 1", "no rotation · Hamilton (x y z w) 0 0 0 1"],
     [
       "read?handedness=left&quaternion=0.6 0 0 0.8",
       "106.3° about −z · custom (w x y z) 0.6 0 0 0.8",

@@ -43,7 +43,6 @@ test("a value is copied as code, and the next click copies that format", async (
 test("the menu is used by keyboard alone", async ({ page }) => {
   await page.goto(jplLog);
   await page.getByRole("button", { name: "Copy Hamilton q", exact: true }).focus();
-  await page.keyboard.press("Tab");
   await page.keyboard.press("ArrowDown");
   const names = ["Numbers", "C++, Eigen", "Python, SciPy", "Python, NumPy", "ROS YAML"];
   for (const name of names) {
@@ -62,8 +61,8 @@ test("the menu is used by keyboard alone", async ({ page }) => {
   expect(await focused(page)).toBe("MATLAB");
   await page.keyboard.press("Escape");
   await expect(page.getByRole("menu")).toHaveCount(0);
-  expect(await focused(page)).toBe("Formats of Hamilton q");
-  await page.keyboard.press("Enter");
+  expect(await focused(page)).toBe("Copy Hamilton q");
+  await page.keyboard.press("ArrowUp");
   await expect.poll(() => focused(page)).toBe("Numbers");
   await page.keyboard.press("r");
   expect(await focused(page)).toBe("ROS YAML");
@@ -71,7 +70,7 @@ test("the menu is used by keyboard alone", async ({ page }) => {
   await expect
     .poll(() => clipboard(page))
     .toMatch(/^# q: Hamilton .*\nx: 0\.1\ny: -0\.2\nz: 0\.4\nw: 0\.888819441731559$/);
-  expect(await focused(page)).toBe("Formats of Hamilton q");
+  expect(await focused(page)).toBe("Copy Hamilton q as ROS YAML");
   await page.keyboard.press("ArrowUp");
   await expect.poll(() => focused(page)).toBe("ROS YAML");
   await page.keyboard.press("Tab");

@@ -104,7 +104,9 @@ test("the order of bare numbers is declared with one key, and back", async ({ pa
 test("a constructor of the other order: its order is declared", async ({ page }) => {
   await page.goto("/");
   await type(page, "R.from_quat([0, 0, 0.6, 0.8])");
-  await expect(notes(page)).toHaveText([/^The order in the text, by its constructor, is x y z w, not the declared one/]);
+  await expect(notes(page)).toHaveText([
+    /^The order in the text, by its constructor, is x y z w, not the declared one/,
+  ]);
   const before = await numbersOf(matrix(page, "R(q)"));
   await tabTo(page, fix(page, "Declare x y z w"));
   await page.keyboard.press("Enter");
@@ -314,8 +316,9 @@ test("a problem with its button has no violations", async ({ page }) => {
 
 test("nothing moves when an angle comes to gimbal lock", async ({ page }) => {
   await page.goto("/#read?quaternion=ZYX+30%C2%B0+20%C2%B0+10%C2%B0");
+  // It is said in the last row of the answer: what is above it stays.
   const end = () =>
-    page.locator(".colophon").evaluate((node) => node.getBoundingClientRect().top + scrollY);
+    page.locator(".fact-euler").evaluate((node) => node.getBoundingClientRect().top + scrollY);
   await expect(page.locator(".fact-euler")).toBeVisible();
   const before = await end();
   for (const pitch of ["90", "89.9999"]) {

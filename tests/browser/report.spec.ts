@@ -22,7 +22,7 @@ test("the product matrices are those of the four numbers as typed", async ({ pag
   expect(await numbersOf(matrix(page, "Hamilton left product matrix"))).toEqual([
     1, -2, -3, -4, 2, 1, -4, 3, 3, 4, 1, -2, 4, -3, 2, 1,
   ]);
-  const products = page.getByRole("region", { name: "Hamilton" }).locator(".products");
+  const products = page.locator(".fold .hamilton");
   await expect(products).toContainText("on [w, x, y, z], of q with its norm");
   await page.getByRole("textbox", { name: "quaternion q" }).fill("1 0 0 0");
   await expect(products).toContainText("on [w, x, y, z]");
@@ -34,6 +34,7 @@ test("both columns say what they multiply, and small turns on the world's axes c
 }) => {
   const rules = (name: string) => page.getByRole("list", { name: `What ${name} multiplies` });
   await page.goto("/");
+  await page.getByText("What each convention multiplies").click();
   await expect(rules("Hamilton").getByRole("listitem")).toHaveText([
     "By labels qBC∘qAB is qAC.",
     "A camera C on the body B: qWB∘qBC is its quaternion in the world.",
@@ -67,11 +68,14 @@ test("conventions with a name are one click away, My Lab with its matrix", async
   expect((await textsOf(card.locator(".strip dd"))).map(numberOf)).toEqual([
     0.776371, 0.184856, -0.323499, 0.508355,
   ]);
+  await page.getByText("The matrix as chosen beside q").click();
   const paired = await numbersOf(matrix(page, "matrix as chosen beside q"));
   expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
-  await expect(card).toContainText("chosen beside q: passive, world → body");
+  await expect(page.locator(".fold .matrix-caption", { hasText: "passive" })).toHaveText(
+    "chosen beside q: passive, world → body",
+  );
   await expect(page.locator(".more-panel")).toContainText(
-    "Of the four numbers as declared it is C(q).",
+    "For the four numbers as declared it is C(q).",
   );
   await button(/^JPL$/).click();
   await expect(page.getByRole("radio", { name: /^JPL/ })).toBeChecked();
@@ -91,8 +95,10 @@ test("the Gibbs vector and the modified Rodrigues parameters are facts that can 
 }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.goto("/");
+  const tangents = page.getByText("Gibbs vector and modified Rodrigues parameters");
+  await tangents.click();
   const fact = (name: string) =>
-    page.locator(".fact", { has: page.getByRole("heading", { name, exact: true }) });
+    page.locator(".tangent", { has: page.getByRole("heading", { name, exact: true }) });
   await expect(fact("Gibbs vector")).toContainText("[0, 0, 0.414214]");
   await expect(fact("Modified Rodrigues parameters")).toContainText("[0, 0, 0.198912]");
   const copied = async (name: string) => {
@@ -113,8 +119,9 @@ test("at gimbal lock a sequence that is free is one click away", async ({ page }
   await page.goto("/#read?quaternion=ZYX+30°+90°+10°");
   const fact = page.locator(".fact-euler");
   await expect(fact).toContainText("Gimbal lock");
-  const height = () => fact.evaluate((node) => node.getBoundingClientRect().height);
-  const locked = await height();
+  // What stands above it stays where it is.
+  const top = () => fact.evaluate((node) => node.getBoundingClientRect().top + scrollY);
+  const locked = await top();
   await fact.getByRole("button", { name: "Show y-z-x" }).click();
   await expect(fact).not.toContainText("Gimbal lock");
   await expect(fact.getByRole("combobox", { name: "Euler axes" })).toHaveValue("yzx");
@@ -122,7 +129,7 @@ test("at gimbal lock a sequence that is free is one click away", async ({ page }
   // As far from its lock as can be.
   const angles = (await textsOf(fact.locator(".euler-angles dd"))).map(numberOf);
   expect(angles[1]).toBeCloseTo(0, 10);
-  expect(await height()).toBe(locked);
+  expect(await top()).toBe(locked);
   await page.goto("/#read?quaternion=ZYX+30°+80°+10°");
   await expect(fact.getByRole("button", { name: /^Show/ })).toHaveCount(0);
 });

@@ -84,6 +84,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
   const isQuaternion = quaternion.form.kind === "quaternion";
   return (
     <div class="read-as">
+      <CaseLinks report={report} store={store} />
       <p class="read-as-text">
         {words.readAs}{" "}
         {isQuaternion ? (
@@ -100,7 +101,6 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
           <var>v</var> = <code>{shownArray(vector, digits)}</code>
         </span>
       </p>
-      <CaseLinks report={report} store={store} />
       <Notes notes={report.notes} store={store} />
     </div>
   );

@@ -62,7 +62,7 @@ test("it is dark, and a change of the picture is shown at once", async ({ engine
     const seen = new Set<string>();
     const watch = new MutationObserver(() => seen.add(picture.innerHTML));
     watch.observe(picture, { attributes: true, childList: true, subtree: true });
-    document.querySelector<HTMLInputElement>("[type=radio][value=active]")?.click();
+    document.querySelector<HTMLInputElement>("[name=reading][value=active]")?.click();
     for (let frames = 0; frames < 10; frames += 1) {
       await new Promise((painted) => requestAnimationFrame(painted));
     }

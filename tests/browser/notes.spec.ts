@@ -104,7 +104,9 @@ test("the order of bare numbers is declared with one key, and back", async ({ pa
 test("a constructor of the other order: its order is declared", async ({ page }) => {
   await page.goto("/");
   await type(page, "R.from_quat([0, 0, 0.6, 0.8])");
-  await expect(notes(page)).toHaveText([/tells its order by its constructor/]);
+  await expect(notes(page)).toHaveText([
+    /^The order in the text, by its constructor, is x y z w, not the declared one; the text wins\./,
+  ]);
   const before = await numbersOf(matrix(page, "R(q)"));
   await tabTo(page, fix(page, "Declare x y z w"));
   await page.keyboard.press("Enter");

@@ -159,7 +159,7 @@ test("Compose takes other descriptions and other conventions", async ({ page }) 
   // Right, passive, world to body: p ⊙ q leads from the world over B to B′.
   const road = page.locator(".road");
   await expect(road.locator("h2")).toHaveText("p ⊙ q: first q, then p");
-  await expect(road.locator(".road-frame").first()).toHaveText("x on the axes of W");
+  await expect(road.locator(".road-frame").first()).toHaveText("v on the axes of W");
   // JPL of Yoosefian's eq. 18: (1 + 2i + 3j + 4k) ⊗ (1 + i) = −1 + 3i − j + 7k.
   await page.goto("/#compose?as=jpl&direction=body-to-world&p=1+%2B+2i+%2B+3j+%2B+4k&q=1+%2B+i");
   await expect(road.locator("h2")).toHaveText("p ⊗ q: first q, then p");

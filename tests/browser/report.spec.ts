@@ -71,7 +71,7 @@ test("conventions with a name are one click away, My Lab with its matrix", async
   expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
   await expect(card).toContainText("chosen beside q: passive, world → body");
   await expect(page.locator(".more-panel")).toContainText(
-    "Of the four numbers as declared it is C(q).",
+    "For the four numbers as declared it is C(q).",
   );
   await button(/^JPL$/).click();
   await expect(page.getByRole("radio", { name: /^JPL/ })).toBeChecked();

@@ -219,7 +219,9 @@ test("axes of the other hand on one side only are refused, and mended by one but
   // Unity's axes are −y, z, x of ROS, and an axis of rotation is mirrored once more.
   await expect(strip(page, 1)).toHaveText(["0.888819", "−0.200000", "−0.400000", "−0.100000"]);
   await page.getByRole("textbox", { name: "axes of the body" }).fill("x x y");
-  await expect(page.locator(".problem")).toContainText("an old axis stands twice");
+  await expect(page.locator(".problem")).toContainText(
+    "one axis appears twice, so another one is missing.",
+  );
   await page.getByRole("button", { name: "Leave all axes as they are" }).click();
   await expect(page.locator(".problem")).toHaveCount(0);
 });

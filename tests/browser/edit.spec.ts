@@ -231,7 +231,7 @@ test("a matrix half typed stays as it is, with its problem, beside the last resu
   await page.keyboard.type("1/");
   await expect(cell).toHaveAttribute("aria-invalid", "true");
   await expect(cell).toHaveAccessibleDescription(
-    /unexpected “\)”\. Showing the last valid result\. Expected: a number or a name\./,
+    /^q: unexpected “\)”\. Showing the last valid result\. Expected: a number or a name\./,
   );
   await expect(field(page, "R(q), row 1, column 1")).toHaveAttribute("aria-invalid", "false");
   await expect(quaternionField(page)).toHaveValue("[1, 0, 0; 0, (1/), 0; 0, 0, 1]");

@@ -105,7 +105,7 @@ test("a constructor of the other order: its order is declared", async ({ page })
   await page.goto("/");
   await type(page, "R.from_quat([0, 0, 0.6, 0.8])");
   await expect(notes(page)).toHaveText([
-    /^The order in the text, by its constructor, is x y z w, not the declared one/,
+    /^The order in the text, by its constructor, is x y z w, not the declared one; the text wins\./,
   ]);
   const before = await numbersOf(matrix(page, "R(q)"));
   await tabTo(page, fix(page, "Declare x y z w"));

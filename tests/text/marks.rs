@@ -290,7 +290,7 @@ fn of_signs_in_a_row_only_those_of_a_sum_are_read() {
         ("2*--0.3 0 0 0.8", "--", "--"),
     ];
     let many = "-".repeat(30);
-    let shown = format!("several signs in a row: {}…", "-".repeat(24));
+    let shown = format!("several signs ({}…) in a row", "-".repeat(24));
     check_messages(
         Field::Quaternion,
         ProblemCode::Unexpected,

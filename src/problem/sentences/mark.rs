@@ -48,7 +48,7 @@ impl Fault {
         Self::new(
             ProblemCode::Unexpected,
             span,
-            format!("several signs in a row: {signs}"),
+            format!("several signs ({signs}) in a row"),
             "at most one sign before a number",
             "write the one sign you mean",
         )

@@ -94,7 +94,11 @@ fn an_increment_without_a_sign_is_told_by_the_quarter_turn() {
         );
         assert_eq!(counts, (2, 2, 2), "open together");
         assert_eq!(alone.settled, []);
-        assert!(!alone.sentence.contains("small turn"), "{}", alone.sentence);
+        assert!(
+            !alone.sentence.contains("small rotation"),
+            "{}",
+            alone.sentence
+        );
         for (sign, expected) in [(1.0, with_z), (-1.0, with_minus_z)] {
             // In either order.
             for observations in [
@@ -125,7 +129,7 @@ fn a_small_turn_about_the_axis_of_the_attitude_has_a_sign_and_no_axes() {
     assert!(
         report
             .sentence
-            .contains("adds small turns with the formal sign (phi turns the body by -phi)"),
+            .contains("adds small rotations with the formal sign (phi turns the body by -phi)"),
         "{}",
         report.sentence
     );
@@ -162,7 +166,9 @@ fn after_a_small_turn_the_quarter_turn_is_asked() {
     let report = identify(observations.clone());
     assert_eq!(report.possible, 2);
     assert_eq!(report.settled, BehaviourAxis::ALL[..5]);
-    assert!(!report.sentence.contains("small turn") && !report.sentence.contains("coordinates"));
+    assert!(
+        !report.sentence.contains("small rotation") && !report.sentence.contains("coordinates")
+    );
     let next = report.next.expect("one more question");
     assert_eq!(next.probe.kind(), ProbeKind::QuarterTurn);
     assert_eq!((next.answers, next.leaves), (2, 1.0));
@@ -182,7 +188,7 @@ fn after_a_small_turn_the_quarter_turn_is_asked() {
         sentence("0.7071 0 0 -0.7071"),
         format!(
             "{common}uses quaternions that take world coordinates to body coordinates and adds small \
-             turns on the axes of the body with the formal sign (phi turns the body by -phi). That is \
+             rotations about the axes of the body with the formal sign (phi turns the body by -phi). That is \
              Hamilton."
         )
     );
@@ -190,7 +196,7 @@ fn after_a_small_turn_the_quarter_turn_is_asked() {
         sentence("0.7071 0 0 0.7071"),
         format!(
             "{common}uses quaternions that take body coordinates to world coordinates and adds small \
-             turns on the axes of the world with the physical sign (phi turns the body by phi). That is \
+             rotations about the axes of the world with the physical sign (phi turns the body by phi). That is \
              Hamilton."
         )
     );

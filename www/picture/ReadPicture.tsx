@@ -11,6 +11,7 @@ import { arrowOf, wordsOf } from "../words/conventions.ts";
 import {
   activeWords,
   axesWords,
+  inShort,
   noTurnName,
   noTurnWords,
   otherPoseWords,
@@ -67,7 +68,7 @@ function Shown({
     () => readScene(report, picture, angle, motion.progress),
     [report, picture, angle, motion.progress],
   );
-  const description = describe(report, reading, picture, unit);
+  const { short, description } = describe(report, reading, picture, unit);
 
   const written = useRef<{ pose: Quaternion; text: string }>(undefined);
   const onTurn = (turn: Quaternion, by: "drag" | "key") => {
@@ -131,12 +132,12 @@ function Shown({
         }}
       />
       <p class="picture-hint">{words.hands}</p>
-      <p class="picture-says" id={describedBy}>
-        {description[0]}
-        <span class="visually-hidden">
-          {" "}
-          {description.slice(1).join(" ")} {words.keys}
-        </span>
+      {/* What is read aloud says more. */}
+      <p class="picture-says" aria-hidden="true">
+        {short}
+      </p>
+      <p class="visually-hidden" id={describedBy}>
+        {description.join(" ")} {words.keys}
       </p>
       <div class="picture-foot">
         <label class="picture-check">
@@ -182,13 +183,13 @@ const otherHand = { right: "left", left: "right" } as const;
 const otherName = ({ declared }: ReadReport) =>
   wordsOf[presetOf[otherHand[declared.convention.handedness]]].name;
 
-/** What is seen, in sentences: the first one stands below the picture, all of them are read aloud. */
+/** What is seen, in short below the picture and in sentences that are read aloud. */
 function describe(
   report: ReadReport,
   reading: Reading,
   { poses }: PictureState,
   unit: Unit,
-): string[] {
+): { short: string; description: string[] } {
   const { turn, vector, declared } = report;
   const { handedness, direction } = declared.convention;
   const isActive = reading === "active";
@@ -200,8 +201,10 @@ function describe(
   ];
   const sentences: string[] = [];
   const turning = shownTurning(report, reading);
+  const matrix = `${wordsOf[presetOf[handedness]].matrix}(q)`;
   const hasVector = vector.some((number) => number !== 0) && declared.image !== undefined;
-  if (!isActive && poses === "both" && turn.axis) {
+  const isPair = !isActive && poses === "both" && turn.axis !== undefined;
+  if (isPair) {
     const isSame = turn.angleDeg === 180;
     const words = isSame ? samePoseWords : otherPoseWords;
     sentences.push(words(otherName(report), arrowOf(direction)));
@@ -210,7 +213,6 @@ function describe(
   else {
     const angle = shownRoughAngle(turn.angleDeg, unit, 4);
     const words = turnWords(angle, shownAxis(turning.axis, "4"));
-    const matrix = `${wordsOf[presetOf[handedness]].matrix}(q)`;
     sentences.push(
       isActive ? activeWords(words, matrix, hasVector) : passiveWords(words, hasVector),
     );
@@ -226,5 +228,7 @@ function describe(
         : vectorWords.passive(coarse(inWorld), coarse(inBody)),
     );
   }
-  return sentences;
+  const inFew = isActive ? inShort.active(matrix, hasVector) : inShort.passive(hasVector);
+  const [first = ""] = sentences;
+  return { short: isPair || turning === undefined ? first : inFew, description: sentences };
 }

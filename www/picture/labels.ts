@@ -149,20 +149,15 @@ function isNear({ from, to }: Obstacle, { across, down }: OnPaper, reach: number
 }
 
 /** How much of a line is in the letters of a box, in pixels (Liang and Barsky's clipping). */
-function lengthIn(from: OnPaper, to: OnPaper, middle: Box): number {
+function lengthIn(from: OnPaper, to: OnPaper, { across, down, width }: Box): number {
+  const [halfWidth, halfHeight] = [width / 2, inkHeight / 2];
+  const [startAcross, startDown] = [from.across - across, from.down - down];
   const [dx, dy] = [to.across - from.across, to.down - from.down];
-  let [enters, leaves] = [0, 1];
-  for (const [start, step, half] of [
-    [from.across - middle.across, dx, middle.width / 2],
-    [from.down - middle.down, dy, inkHeight / 2],
-  ] as const) {
-    if (step === 0) {
-      if (Math.abs(start) >= half) return 0;
-      continue;
-    }
-    const [a, b] = [(-half - start) / step, (half - start) / step];
-    enters = Math.max(enters, Math.min(a, b));
-    leaves = Math.min(leaves, Math.max(a, b));
-  }
+  // Where it passes the left and right edge, and the upper and lower one, as parts of its length; a
+  // line along an edge passes it infinitely far away.
+  const [left, right] = [(-halfWidth - startAcross) / dx, (halfWidth - startAcross) / dx];
+  const [top, bottom] = [(-halfHeight - startDown) / dy, (halfHeight - startDown) / dy];
+  const enters = Math.max(0, Math.min(left, right), Math.min(top, bottom));
+  const leaves = Math.min(1, Math.max(left, right), Math.max(top, bottom));
   return leaves > enters ? (leaves - enters) * Math.hypot(dx, dy) : 0;
 }

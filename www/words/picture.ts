@@ -40,6 +40,14 @@ export function activeWords(turn: string, matrix: string, hasVector: boolean): s
     : `The axes stay: ${matrix} turns the body by ${turn}.`;
 }
 
+/** The same in few words, where the turn stands beside them. */
+export const inShort = {
+  passive: (hasVector: boolean) =>
+    `The turn carries the axes W onto the axes B.${hasVector ? " v stays, only its coordinates change." : ""}`,
+  active: (matrix: string, hasVector: boolean) =>
+    `The axes stay: ${matrix} turns ${hasVector ? "v into v′, and the body with it" : "the body"}.`,
+};
+
 export const turnWords = (angle: string, axis: string) => `${angle} about ${axis}`;
 
 /** Where the body axes point, for those who do not see them. */
@@ -66,7 +74,7 @@ export function otherPoseWords(other: string, direction: string): string {
 }
 
 export function samePoseWords(other: string, direction: string): string {
-  return `Read as ${other}, ${direction}, these four numbers are the same pose: this turn is its own inverse.`;
+  return `Read as ${other}, ${direction}, these four numbers are the same pose.`;
 }
 
 /** The steps of a composition. */

@@ -74,6 +74,10 @@ export async function tabTo(page: Page, element: Locator) {
   throw new Error("the element cannot be reached with the Tab key");
 }
 
+export async function press(page: Page, key: string, times: number) {
+  for (let presses = 0; presses < times; presses += 1) await page.keyboard.press(key);
+}
+
 export async function typeOver(page: Page, text: string) {
   await page.keyboard.press("ControlOrMeta+a");
   await page.keyboard.type(text);

@@ -62,7 +62,7 @@ pub struct Problems {
 pub struct ReadReport {
     /// The attitude as it was read, before anything was done to it.
     pub quaternion: ReadQuaternion,
-    /// The vector `x` as it was read.
+    /// The vector `v` as it was read.
     pub vector: [f64; 3],
     /// The attitude in the declared convention, whichever of the 32 it is.
     pub declared: Column,
@@ -99,7 +99,7 @@ pub struct ComposeReport {
     pub p_turn: Turn,
     /// The turn of the body that q is.
     pub q_turn: Turn,
-    /// The vector `x` as it was read.
+    /// The vector `v` as it was read.
     pub vector: [f64; 3],
     /// `p∘q` in the declared convention, whichever of the 32 it is.
     pub declared: Product,
@@ -167,7 +167,7 @@ pub struct Product {
     pub turn: Turn,
     /// R(left ⊙ right) = R(left) R(right) for Hamilton, C(left ⊗ right) = C(left) C(right) for JPL.
     pub matrix: [[f64; 3]; 3],
-    /// `x` after the right operand, then after both; absent where a double cannot hold it.
+    /// `v` after the right operand, then after both; absent where a double cannot hold it.
     pub images: Option<[[f64; 3]; 2]>,
     /// Which frame's coordinates to which the matrix takes.
     pub direction: Direction,

@@ -29,7 +29,7 @@ pub enum Request {
 pub struct ReadRequest {
     /// The attitude, as a quaternion or in any other accepted form (see [`parse`](mod@crate::text)).
     pub quaternion: String,
-    /// The vector `x`, in any accepted form.
+    /// The vector `v`, in any accepted form.
     pub vector: String,
     /// What four numbers are declared to mean.
     pub convention: Convention,
@@ -49,7 +49,7 @@ pub struct ComposeRequest {
     pub p: String,
     /// The right operand.
     pub q: String,
-    /// The vector `x` that both turn, one after the other.
+    /// The vector `v` that both turn, one after the other.
     pub vector: String,
     /// What four numbers of either are declared to mean.
     pub convention: Convention,

@@ -32,7 +32,7 @@ pub enum Field {
     P,
     /// The right operand `q` of the Compose view.
     Q,
-    /// The vector `x`.
+    /// The vector `v`.
     Vector,
     /// Where a translation comes from.
     From,

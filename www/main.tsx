@@ -9,7 +9,7 @@ import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
 import { createStore } from "./state/store.ts";
-import { isLazy } from "./view/frame/lazy_views.ts";
+import { fetchAhead, isLazy, needsWholeCore } from "./view/frame/lazy_views.ts";
 import { Page } from "./view/frame/Page.tsx";
 import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 
@@ -17,9 +17,10 @@ const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
 restoreAddress();
-// A view that needs the whole core begins with it.
+// A view that needs the whole core begins with it, and the file of a view comes beside its core.
 const { view } = fromFragment(location.hash);
-const engine = isLazy(view) ? loadWholeEngine() : loadSmallEngine();
+const engine = needsWholeCore(view) ? loadWholeEngine() : loadSmallEngine();
+if (isLazy(view)) fetchAhead(view);
 
 engine.then(
   (engine) => {
@@ -33,6 +34,8 @@ engine.then(
     showTheme();
     followTheme();
     startShortcuts(store);
+    // The other view of the same core opens at once.
+    whenIdle(() => fetchAhead("compose"));
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {

@@ -14,10 +14,18 @@ export default defineConfig({
     target: "es2023",
     // Files stay files: a font or the wasm inside the script would be read before they are needed.
     assetsInlineLimit: 0,
+    // A browser that preloads no modules by itself loads them a moment later.
+    modulePreload: { polyfill: false },
     rolldownOptions: {
       output: {
-        // Shared by all: a file of its own, with a name that stays.
-        codeSplitting: { groups: [{ name: "preact", test: /node_modules\/@?preact/ }] },
+        codeSplitting: {
+          groups: [
+            // Shared by all: a file of its own, with a name that stays.
+            { name: "preact", test: /node_modules\/@?preact/, priority: 1 },
+            // What the first view needs, in one file, also where a later one shares it.
+            { name: "read", tags: ["$initial"] },
+          ],
+        },
       },
     },
   },

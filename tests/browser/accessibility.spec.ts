@@ -40,7 +40,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
         - group "What moves":
           - radio /Passive/ [checked]
           - radio /Active/
-        - application "Picture of the turn"
+        - application "Picture of the rotation"
         - checkbox "Also as JPL body → world"
         - button "First view"
         - button "Save SVG"
@@ -61,7 +61,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
         - heading "JPL" [level=2]
         - definition:
           - textbox "JPL q, x": "0"
-      - region "The turn, in every convention the same":
+      - region "The rotation, the same in every convention":
         - heading "Axis and angle" [level=2]
         - heading "Rotation vector" [level=2]
         - heading "Euler angles" [level=2]
@@ -70,7 +70,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
           - textbox "yaw in degrees": "45"
         - heading "The other sign" [level=2]
     - contentinfo
-    - status: /Result. a turn by 45\\.0+° about z/
+    - status: /Result. a rotation by 45\\.0+° about z/
   `);
 });
 
@@ -124,7 +124,7 @@ test("a result is said once, when the typing rests", async ({ page }) => {
   }
   expect(await said()).toEqual([]);
   await page.clock.runFor(1000);
-  expect(await said()).toEqual([expect.stringMatching(/a turn by 90.* about x/)]);
+  expect(await said()).toEqual([expect.stringMatching(/a rotation by 90.* about x/)]);
 });
 
 test("what was done is said by the one live region, beside the result", async ({ page }) => {
@@ -152,7 +152,7 @@ test("what was done is said by the one live region, beside the result", async ({
   await expect(done).toHaveText("Angles: degrees");
   await quaternionField(page).fill("0 0 0 1");
   await expect(done).toHaveText("");
-  await expect(region).toHaveText(/a turn by/);
+  await expect(region).toHaveText(/a rotation by/);
 });
 
 test("turning the body is said once, when it rests", async ({ page }) => {
@@ -160,7 +160,7 @@ test("turning the body is said once, when it rests", async ({ page }) => {
   const said = await listen(page);
   await page.getByRole("application").focus();
   for (let presses = 0; presses < 6; presses += 1) await page.keyboard.press("Shift+ArrowRight");
-  await expect(page.getByRole("status")).toHaveText(/a turn by (?:30\.00|29\.99)\d*° about z/);
+  await expect(page.getByRole("status")).toHaveText(/a rotation by (?:30\.00|29\.99)\d*° about z/);
   expect((await said()).length).toBeLessThanOrEqual(2);
 });
 

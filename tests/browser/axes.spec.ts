@@ -135,7 +135,7 @@ test("Euler angles follow the chosen sequence, and gimbal lock is told", async (
   // Rz(20°) Ry(90°) = Rz(110°) Rx(90°) Rz(−90°).
   const angles = async () => (await textsOf(page.locator(".euler-angles dd"))).map(numberOf);
   await expect.poll(angles).toEqual([110, 90, -90]);
-  await page.getByRole("combobox", { name: "Axes of the turns" }).selectOption("extrinsic");
+  await page.getByRole("combobox", { name: "Intrinsic or extrinsic" }).selectOption("extrinsic");
   await expect.poll(angles).toEqual([-90, 90, 110]);
   await expect(page).toHaveURL(/euler=zxz/);
 });

@@ -54,7 +54,7 @@ test("the unit of angles follows the choice wherever an angle stands, and the ad
   // 30°, 90°, 10°; the surviving difference is 20°.
   await expect(page.locator(".read-as")).toContainText("0.523599 rad, 1.570796 rad, 0.174533 rad");
   await expect(page.locator(".gimbal-lock")).toContainText("yaw − roll = 0.349066 rad");
-  await expect(page.getByRole("status")).toContainText("a turn by 1.600955 rad about");
+  await expect(page.getByRole("status")).toContainText("a rotation by 1.600955 rad about");
 
   await page.goto("/#translate?unit=rad&translated=0 0 0.6 0.8&from=openvins&to=eigen");
   await expect(page.locator(".mistake-angle").first()).toContainText("rad off");

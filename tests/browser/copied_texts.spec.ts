@@ -42,7 +42,8 @@ function values(): Record<string, Copied> {
     jpl: columnValues(report.jpl, describe),
   };
   const turn = turnValues(report, describe);
-  if (turn.axisAngle === undefined || columns.jpl.image === undefined) throw new Error("no turn");
+  if (turn.axisAngle === undefined || columns.jpl.image === undefined)
+    throw new Error("no rotation");
   return {
     hamilton: columns.hamilton.quaternion,
     jpl: columns.jpl.quaternion,

@@ -37,7 +37,7 @@ test("a Hamilton quaternion typed by keyboard", async ({ page }) => {
   // 120° about (1, 1, 1): x to y, y to z, z to x.
   await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual([0, 0, 1, 1, 0, 0, 0, 1, 0]);
   expect(await numbersOf(matrix(page, "C(q)"))).toEqual([0, 1, 0, 0, 0, 1, 1, 0, 0]);
-  await expect(page.getByRole("status")).toHaveText(/a turn by 120.*° about/);
+  await expect(page.getByRole("status")).toHaveText(/a rotation by 120.*° about/);
 });
 
 test("a JPL quaternion typed and declared by keyboard", async ({ page }) => {

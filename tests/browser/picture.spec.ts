@@ -240,7 +240,7 @@ test("the picture is saved as an SVG that needs nothing else", async ({ page }) 
   expect(download.suggestedFilename()).toBe("quatlas-rotation.svg");
   const text = await readFile(await download.path(), "utf8");
   expect(text).toMatch(/^<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
-  expect(text).toContain("<title>Picture of the turn</title>");
+  expect(text).toContain("<title>Picture of the rotation</title>");
   expect(text).toMatch(/<desc>A turn by 90° about z carries/);
   expect(text).not.toMatch(/var\(|class=| style=|NaN|undefined|href|script/);
   const opened = await page.evaluate((source) => {
@@ -262,8 +262,12 @@ test("a picture without a turn, or without a vector, is one without its parts", 
 test("compose: step by step about fixed and about moving axes, to one pose", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto("/#compose?p=90deg+about+z&q=90deg+about+x");
-  const fixed = page.getByRole("application", { name: "Picture of the turns about fixed axes" });
-  const moving = page.getByRole("application", { name: "Picture of the turns about moving axes" });
+  const fixed = page.getByRole("application", {
+    name: "Picture of the rotations about fixed axes",
+  });
+  const moving = page.getByRole("application", {
+    name: "Picture of the rotations about moving axes",
+  });
   const body = (which: typeof fixed) =>
     which
       .locator(".picture-body path")
@@ -275,7 +279,7 @@ test("compose: step by step about fixed and about moving axes, to one pose", asy
     /p: 90° about z of the body\. q: 90° about x of the body/,
   );
   expect(await body(fixed)).toEqual(await body(moving));
-  await page.getByRole("radio", { name: "First turn" }).focus();
+  await page.getByRole("radio", { name: "First rotation" }).focus();
   await page.keyboard.press("Space");
   await expect(fixed).toHaveAccessibleDescription(/^q: 90° about x of the world\. Drag/);
   await expect(moving).toHaveAccessibleDescription(/^p: 90° about z of the body\. Drag/);
@@ -284,7 +288,7 @@ test("compose: step by step about fixed and about moving axes, to one pose", asy
   await expect(fixed).toHaveAccessibleDescription(/^The body stands on the world axes/);
   expect(await body(fixed)).toEqual(await body(moving));
   await page.getByRole("button", { name: "Play" }).press("Enter");
-  await expect(page.getByRole("radio", { name: "Both turns" })).toBeChecked();
+  await expect(page.getByRole("radio", { name: "Both rotations" })).toBeChecked();
   // JPL p ⊗ q: first p about fixed axes.
   await page.getByRole("radio", { name: /^JPL/ }).check();
   await expect(fixed).toHaveAccessibleDescription(

@@ -1,7 +1,7 @@
 // How often the Tab key has to be pressed to get past a view.
 import type { Page } from "@playwright/test";
 import { type View, views } from "../../www/model/page_state.ts";
-import { expect, test } from "./support/page.ts";
+import { expect, openEverything, test } from "./support/page.ts";
 
 /** Of every view, those that come as well; the frame of the page counts. */
 const mostStops = 59;
@@ -48,6 +48,7 @@ test("every number that is edited is one press from another one, and all are rea
   await page.goto("/#read?function=active&quaternion=0.5+0.1+-0.3+0.8");
   const fields = page.locator("[data-group]");
   await expect(page.locator("[data-group^=declared]").first()).toBeVisible();
+  await openEverything(page);
   const groups = new Map<string, string[]>();
   for (const field of await fields.all()) {
     const group = (await field.getAttribute("data-group")) ?? "";

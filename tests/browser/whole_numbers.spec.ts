@@ -1,6 +1,6 @@
 // No number of any view is cut at any width, with any number of decimals. engines.spec.ts has the other
 // engines.
-import { expect, matrix, test } from "./support/page.ts";
+import { expect, matrix, openEverything, test } from "./support/page.ts";
 import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
 
 const widths = [320, 390, 560, 768, 992, 1280, 1920];
@@ -23,8 +23,11 @@ for (const width of [320, 390, 1280]) {
     await page.setViewportSize({ width, height: 800 });
     await page.goto("/#read?quaternion=-0.1234567890123 0.3 -0.4 0.86");
     await expect(matrix(page, "R(q)")).toBeVisible();
+    await openEverything(page);
     const faults = await page.evaluate(async () => {
       const found: string[] = [];
+      // Where there is room for one column, both, as if the visitor switched.
+      document.querySelector(".columns")?.setAttribute("class", "columns");
       for (const field of document.querySelectorAll<HTMLInputElement>(".result .number")) {
         field.dispatchEvent(new MouseEvent("mousedown", { bubbles: true, cancelable: true }));
         await new Promise((painted) => requestAnimationFrame(painted));

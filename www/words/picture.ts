@@ -2,10 +2,7 @@
 import type { Reading } from "../model/picture_state.ts";
 
 export const pictureWords = {
-  name: "Picture",
-  role: "picture to turn",
-  loading: "The picture …",
-  failed: "The picture could not be loaded. Reload the page to try again.",
+  role: "picture that can be turned",
   reading: "What moves",
   readings: {
     passive: { name: "Passive", meaning: "the axes move" },
@@ -14,22 +11,22 @@ export const pictureWords = {
   both: (other: string) => `Also as ${other}`,
   save: "Save SVG",
   reset: "First view",
-  hands: "Drag to look; drag the body to turn it",
+  hands: "Drag to look round; drag the body to turn it.",
   keys: "Arrow keys look round, with Shift they turn the body; Page Up and Page Down roll it.",
   lookOnly: "Drag or use the arrow keys to look round.",
   inWords: "In words",
   fileName: "quatlas-rotation.svg",
 };
 
-export const readPictureLabel = "Picture of the turn";
+export const readPictureLabel = "Picture of the rotation";
 
-export const noTurnName = "no turn";
+export const noTurnName = "no rotation";
 
-export const noTurnWords = "No turn: the body axes B stand on the world axes W.";
+export const noTurnWords = "No rotation: the body axes B stand on the world axes W.";
 
 /** What the passive picture shows: two frames and one vector. */
 export function passiveWords(turn: string, hasVector: boolean): string {
-  const axes = `A turn by ${turn} carries the world axes W onto the body axes B.`;
+  const axes = `A rotation by ${turn} carries the world axes W onto the body axes B.`;
   return hasVector ? `${axes} The vector v stays; only its coordinates change.` : axes;
 }
 
@@ -43,7 +40,7 @@ export function activeWords(turn: string, matrix: string, hasVector: boolean): s
 /** The same in few words, where the turn stands beside them. */
 export const inShort = {
   passive: (hasVector: boolean) =>
-    `The turn carries the axes W onto the axes B.${hasVector ? " v stays, only its coordinates change." : ""}`,
+    `The rotation carries the axes W onto the axes B.${hasVector ? " v stays, only its coordinates change." : ""}`,
   active: (matrix: string, hasVector: boolean) =>
     `The axes stay: ${matrix} turns ${hasVector ? "v into v′, and the body with it" : "the body"}.`,
 };
@@ -70,7 +67,7 @@ export const vectorWords = {
 
 /** The second pose: the same numbers under the other product, in the declared direction. */
 export function otherPoseWords(other: string, direction: string): string {
-  return `Dashed: the same four numbers read as ${other}, ${direction}: the opposite turn.`;
+  return `Dashed: the same four numbers read as ${other}, ${direction}: the opposite rotation.`;
 }
 
 export function samePoseWords(other: string, direction: string): string {
@@ -80,8 +77,8 @@ export function samePoseWords(other: string, direction: string): string {
 /** The steps of a composition. */
 export const stepWords = {
   name: "Step by step",
-  lead: "The same two turns of the body, about axes that stay and about axes that go along.",
-  steps: ["Start", "First turn", "Both turns"],
+  lead: "The same two rotations of the body, about axes that stay and about axes that go along.",
+  steps: ["Start", "First rotation", "Both rotations"],
   play: "Play",
   about: {
     fixed: (first: string, then: string) => `About fixed axes: first ${first}, then ${then}`,
@@ -94,11 +91,11 @@ export const stepWords = {
     moving: (operand: string, angle: string, axis: string) =>
       `${operand}: ${angle} about ${axis} of the body.`,
   },
-  noTurn: (operand: string) => `${operand} is no turn.`,
+  noTurn: (operand: string) => `${operand} is no rotation.`,
   end: (product: string) => `Both ways end in the same pose, that of ${product}.`,
   label: {
-    fixed: "Picture of the turns about fixed axes",
-    moving: "Picture of the turns about moving axes",
+    fixed: "Picture of the rotations about fixed axes",
+    moving: "Picture of the rotations about moving axes",
   },
   fileName: { fixed: "quatlas-fixed-axes.svg", moving: "quatlas-moving-axes.svg" },
 };

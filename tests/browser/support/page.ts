@@ -55,7 +55,8 @@ export const part = (page: Page, name: string) =>
 
 /** The address of a picture seen from the world's x axis: y to the right, z up. */
 export const fromX = "look=0,0";
-export const stage = (page: Page) => page.getByRole("application", { name: "Picture of the turn" });
+export const stage = (page: Page) =>
+  page.getByRole("application", { name: "Picture of the rotation" });
 
 /** The middle of the body, as the finger meets it. */
 export async function bodyOn(page: Page) {

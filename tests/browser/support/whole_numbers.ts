@@ -21,7 +21,7 @@ type Extent = Pick<DOMRect, "left" | "right">;
 /** Whether the view is there. To be run in the page. */
 export const isShown = () =>
   document.querySelector("main table, main .answer") !== null &&
-  document.querySelector("main .loading, [data-loading], .picture-wait") === null;
+  document.querySelector("main .loading, [data-loading], .picture-wait, .fold-wait") === null;
 
 /**
  * The numbers of the page that are cut, broken over lines or out of their box, each with its fault;

@@ -22,6 +22,8 @@ import "../parts/fold.css";
 import "../parts/result.css";
 import "./compose.css";
 
+export { spokenProduct } from "./spoken.ts";
+
 export function Compose({ store }: { store: Store }) {
   const { digits, unit } = store.state.value;
   const shownResult = store.compose.value;

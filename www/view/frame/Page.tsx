@@ -3,13 +3,10 @@ import type { VNode } from "preact";
 import { version } from "../../../package.json";
 import type { Digits, Unit, View } from "../../model/page_state.ts";
 import { repositoryLinks } from "../../model/repository.ts";
-import { shown, shownAngle, shownAxis } from "../../number/format.ts";
+import { shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import * as words from "../../words/frame/page.tsx";
-import { Compose } from "../compose/Compose.tsx";
-import { nameOf } from "../parts/convention_names.ts";
-import { namesInOrder } from "../parts/Value.tsx";
 import { Read } from "../read/Read.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { Lazy } from "./Lazy.tsx";
@@ -20,9 +17,6 @@ import { Parts, Tabs } from "./Tabs.tsx";
 import { Tools } from "./Tools.tsx";
 import { shownCase, useCaseTitle } from "./title.ts";
 import "./page.css";
-
-/** The views of the first load. */
-const firstViews = { read: Read, compose: Compose };
 
 export function Page({ store }: { store: Store }) {
   const state = store.state.value;
@@ -102,8 +96,7 @@ function focusResult() {
 
 function Shown({ view, store }: { view: View; store: Store }): VNode {
   if (isLazy(view)) return <Lazy view={view} name={words.viewNames[view]} store={store} />;
-  const First = firstViews[view];
-  return <First store={store} />;
+  return <Read store={store} />;
 }
 
 /** What a screen reader hears when the result changes. */
@@ -116,24 +109,11 @@ function spoken(store: Store): string {
   switch (view) {
     case "read":
       return spokenTurn(store, digits, unit);
-    case "compose":
-      return spokenProduct(store, digits);
     default: {
       const loading = loadingOf[view].value;
       return loading.status === "loaded" ? loading.spoken(store) : "";
     }
   }
-}
-
-function spokenProduct(store: Store, digits: Digits): string {
-  const product = store.compose.value?.report.declared;
-  if (product === undefined) return "";
-  const { convention, quaternion } = product;
-  const numbers = namesInOrder(convention).map(
-    (name) => `${name} ${shown(quaternion[name], digits)}`,
-  );
-  const name = nameOf(convention, store.engine) ?? words.yourConvention;
-  return words.spokenProduct(name, numbers);
 }
 
 function spokenTurn(store: Store, digits: Digits, unit: Unit): string {

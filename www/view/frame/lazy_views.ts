@@ -1,4 +1,4 @@
-// The views that are not in the first load. Each is a file of its own, and asks the whole core.
+// The views that are not in the first load. Each is a file of its own, and most ask the whole core.
 import { type Signal, signal } from "@preact/signals";
 import type { VNode } from "preact";
 import { loadWholeEngine } from "../../engine.ts";
@@ -12,6 +12,10 @@ export interface LoadedView {
 }
 
 const files = {
+  compose: async () => {
+    const { Compose, spokenProduct } = await import("../compose/Compose.tsx");
+    return { Shown: Compose, spoken: spokenProduct };
+  },
   translate: async () => {
     const { Translate, spokenTranslation } = await import("../translate/Translate.tsx");
     return { Shown: Translate, spoken: spokenTranslation };
@@ -34,6 +38,7 @@ export type Loading =
 
 /** How far each view is. */
 export const loadingOf: Record<LazyView, Signal<Loading>> = {
+  compose: signal({ status: "asleep" }),
   translate: signal({ status: "asleep" }),
   identify: signal({ status: "asleep" }),
   libraries: signal({ status: "asleep" }),
@@ -43,16 +48,29 @@ export function isLazy(view: View): view is LazyView {
   return view in files;
 }
 
-/** Loads a view and the whole core, unless that is done or under way. It never throws. */
+/** Whether a view asks what the core of the first load does not answer. */
+export function needsWholeCore(view: View): boolean {
+  return view !== "read" && view !== "compose";
+}
+
+/** Asks for the file of a view before it is opened. It never throws. */
+export async function fetchAhead(view: LazyView) {
+  await files[view]().catch(() => undefined);
+}
+
+/** Loads a view and the core that it needs, unless that is done or under way. It never throws. */
 export async function load(view: LazyView, store: Store) {
   const loading = loadingOf[view];
   const { status } = loading.peek();
   if (status === "loading" || status === "loaded") return;
   loading.value = { status: "loading" };
   try {
-    const [loaded, engine] = await Promise.all([files[view](), loadWholeEngine()]);
+    const [loaded, engine] = await Promise.all([
+      files[view](),
+      needsWholeCore(view) ? loadWholeEngine() : undefined,
+    ]);
     // First the core: what is shown of the view already has its answers.
-    store.useEngine(engine);
+    if (engine) store.useEngine(engine);
     loading.value = { status: "loaded", ...loaded };
   } catch (error) {
     loading.value = { status: "failed", reason: String(error) };

@@ -1,8 +1,8 @@
 // The place of the picture: as large before it is loaded as after, so that nothing moves.
 import type { ComponentType } from "preact";
-import { useEffect, useState } from "preact/hooks";
 import type { Store } from "../../state/store.ts";
-import { pictureWords as words } from "../../words/picture.ts";
+import * as words from "../../words/parts/picture_place.ts";
+import { useLater } from "./later.ts";
 import "./result.css";
 import "./picture.css";
 
@@ -16,21 +16,14 @@ const parts: Record<Kind, () => Promise<ComponentType<{ store: Store }>>> = {
 
 /** The picture of a view, which is loaded after the numbers. */
 export function Picture({ store, of }: { store: Store; of: Kind }) {
-  const [Shown, setShown] = useState<ComponentType<{ store: Store }>>();
-  const [state, setState] = useState<"loading" | "failed">("loading");
-  useEffect(() => {
-    let isHere = true;
-    parts[of]().then(
-      (loaded) => isHere && setShown(() => loaded),
-      () => isHere && setState("failed"),
-    );
-    return () => {
-      isHere = false;
-    };
-  }, [of]);
+  const Shown = useLater(parts[of]);
   return (
     <section class={`card picture picture-of-${of}`} aria-label={words.name}>
-      {Shown ? <Shown store={store} /> : <p class="picture-wait">{words[state]}</p>}
+      {typeof Shown === "string" ? (
+        <p class="picture-wait">{words.waits[Shown]}</p>
+      ) : (
+        <Shown store={store} />
+      )}
     </section>
   );
 }

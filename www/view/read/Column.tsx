@@ -2,6 +2,7 @@
 import { columnValues } from "../../copy/values.ts";
 import type { Column } from "../../engine.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
+import { shownArray } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { asDeclared, wordsOf } from "../../words/conventions.ts";
 import * as text from "../../words/read/column.ts";
@@ -32,7 +33,9 @@ export function ConventionColumn({
       <var>{words.matrix}</var>(<var>q</var>)
     </>
   );
-  const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
+  // What would be the same numbers three times is told once.
+  const isUnit =
+    shownArray(column.unit.array, digits) === shownArray(column.quaternion.array, digits);
   return (
     <section class={`card column ${preset}`} aria-labelledby={`${preset}-name`}>
       <header>

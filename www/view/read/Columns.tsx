@@ -22,9 +22,10 @@ export function Columns({
   declared: Preset | undefined;
   digits: Digits;
 }) {
-  // Who declares another convention sees that one, until he asks for the other again.
   const [asked, ask] = useState<{ shown: Preset; declared: Preset | undefined }>();
-  const shown = asked && asked.declared === declared ? asked.shown : (declared ?? "hamilton");
+  // Who declares another convention sees that one.
+  if (asked && asked.declared !== declared) ask(undefined);
+  const shown = asked?.shown ?? declared ?? "hamilton";
   return (
     <div class={`columns columns-of-${shown}`}>
       <Choice

@@ -1,4 +1,4 @@
-// What no convention changes: the turn itself.
+// What no convention changes: the rotation itself.
 import { negates } from "../../action/fixes.ts";
 
 import { turnValues } from "../../copy/values.ts";

@@ -68,3 +68,7 @@ export const turns = (first: Symbols, other: Symbols) => (
     axes first {other}, then {first}.
   </>
 );
+
+export const yourConvention = "your convention";
+export const spokenProduct = (convention: string, numbers: readonly string[]) =>
+  `Result: p times q in ${convention}: ${numbers.join(", ")}.`;

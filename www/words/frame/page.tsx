@@ -42,9 +42,6 @@ export const spokenProblem = (
   symbol: string,
   { message, expected, hint }: { message: string; expected: string; hint: string },
 ) => `Problem in ${symbol}: ${message}. Expected ${expected}. Try ${hint}.`;
-export const yourConvention = "your convention";
-export const spokenProduct = (convention: string, numbers: readonly string[]) =>
-  `Result: p times q in ${convention}: ${numbers.join(", ")}.`;
-export const spokenNoTurn = "Result: no turn.";
+export const spokenNoTurn = "Result: no rotation.";
 export const spokenTurn = (angle: string, axis: string) =>
-  `Result: a turn by ${angle} about ${axis}.`;
+  `Result: a rotation by ${angle} about ${axis}.`;

@@ -1,7 +1,7 @@
-// The words of what no convention changes: the turn itself.
+// The words of what no convention changes: the rotation itself.
 import type { EulerFrame } from "../../engine.ts";
 
-export const facts = "The turn, in every convention the same";
+export const facts = "The rotation, the same in every convention";
 export const axisAndAngle = "Axis and angle";
 export const axisAndAngleInRadians = "axis and angle in radians";
 export const rotationVector = "Rotation vector";
@@ -23,7 +23,7 @@ export const oppositeCopied = "minus q";
 
 export const eulerAngles = "Euler angles";
 export const eulerAxes = "Euler axes";
-export const eulerFrame = "Axes of the turns";
+export const eulerFrame = "Intrinsic or extrinsic";
 export const eulerCopied = (unit: string) => `Euler angles in ${unit}`;
 export const frames: Record<EulerFrame, string> = {
   intrinsic: "intrinsic (moving)",

@@ -1,6 +1,15 @@
 // The words of what is folded below the answer.
 
 export const more = "More about this rotation";
-export const products = "What each convention multiplies, and the product matrices";
-export const paired = "The matrix as chosen beside q";
-export const tangents = "Gibbs vector and modified Rodrigues parameters";
+/** In this order. */
+export const parts = ["products", "paired", "tangents"] as const;
+export type FoldedPart = (typeof parts)[number];
+export const lines: Record<FoldedPart, string> = {
+  products: "What each convention multiplies, and the product matrices",
+  paired: "The matrix as chosen beside q",
+  tangents: "Gibbs vector and modified Rodrigues parameters",
+};
+export const waits = {
+  loading: "Loading …",
+  failed: "This part could not be loaded. Reload the page to try again.",
+};

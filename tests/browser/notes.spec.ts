@@ -269,7 +269,8 @@ test("in Compose each operand has its own key", async ({ page }) => {
   await page.goto("/#compose?p=w%3D3+x%3D0+y%3D0+z%3D4&q=-0.6+%2B+0.8i");
   const p = page.getByRole("textbox", { name: "quaternion p" });
   const q = page.getByRole("textbox", { name: "quaternion q" });
-  await expect(notes(page)).toHaveText([/^p: The norm is 5/, /^q: The scalar is negative/]);
+  const lines = page.locator(".read-as > div");
+  await expect(lines).toHaveText([/^p .*The norm is 5/, /^q .*The scalar is negative/]);
   await expect(fix(page, "Write p/|p|")).toBeVisible();
   await q.focus();
   await page.keyboard.press("Alt+Enter");

@@ -80,7 +80,6 @@ export function samePoseWords(other: string, direction: string): string {
 /** The steps of a composition. */
 export const stepWords = {
   name: "Step by step",
-  lead: "The same two turns of the body, about axes that stay and about axes that go along.",
   steps: ["Start", "First turn", "Both turns"],
   play: "Play",
   about: {

@@ -1,7 +1,16 @@
 // The Compose view: two quaternions, both products, both orders.
 import { type ComponentChildren, Fragment } from "preact";
+import { useState } from "preact/hooks";
 import { productValues } from "../../copy/values.ts";
-import type { ComposeReport, Engine, Frame, Handedness, Operand, Product } from "../../engine.ts";
+import type {
+  ComposeReport,
+  Engine,
+  Frame,
+  Handedness,
+  Operand,
+  Product,
+  Turn,
+} from "../../engine.ts";
 import { presetOf } from "../../model/conventions.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
 import { shownAngle, shownArray, shownAxis } from "../../number/format.ts";
@@ -10,6 +19,7 @@ import * as words from "../../words/compose/compose.tsx";
 import { arrowOf, asDeclared, wordsOf } from "../../words/conventions.ts";
 import { AskRest } from "../parts/Ask.tsx";
 import { CarryLinks } from "../parts/CarryLinks.tsx";
+import { Choice } from "../parts/Choice.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { nameOf } from "../parts/convention_names.ts";
 import { Notes } from "../parts/Notes.tsx";
@@ -23,7 +33,6 @@ import "../parts/result.css";
 import "./compose.css";
 
 export function Compose({ store }: { store: Store }) {
-  const { digits, unit } = store.state.value;
   const shownResult = store.compose.value;
   return (
     <>
@@ -38,19 +47,7 @@ export function Compose({ store }: { store: Store }) {
           <ConventionSwitch store={store} />
         </div>
         <AskRest store={store} freshness={shownResult?.freshness}>
-          {shownResult && (
-            <div class="read-as">
-              <p>
-                <var>p</var>{" "}
-                <NamedComponents quaternion={shownResult.report.p} digits={digits} unit={unit} />
-              </p>
-              <p>
-                <var>q</var>{" "}
-                <NamedComponents quaternion={shownResult.report.q} digits={digits} unit={unit} />
-              </p>
-              <Notes notes={shownResult.report.notes} store={store} />
-            </div>
-          )}
+          {shownResult && <ReadAs report={shownResult.report} store={store} />}
         </AskRest>
       </section>
       {shownResult && (
@@ -62,6 +59,37 @@ export function Compose({ store }: { store: Store }) {
   );
 }
 
+/** How each text was read and what there is to know of it, in a line of its own. */
+function ReadAs({ report, store }: { report: ComposeReport; store: Store }) {
+  const { digits, unit } = store.state.value;
+  return (
+    <div class="read-as">
+      {operands.map((operand) => (
+        <div key={operand}>
+          <ReadOperand operand={operand} report={report} digits={digits} unit={unit} />
+          <Notes notes={report.notes.filter(({ field }) => field === operand)} store={store} />
+        </div>
+      ))}
+      <Notes notes={report.notes.filter(({ field }) => field === "vector")} store={store} />
+    </div>
+  );
+}
+
+function ReadOperand({
+  operand,
+  report,
+  digits,
+  unit,
+}: Pick<ShownAs, "digits" | "unit"> & { operand: Operand; report: ComposeReport }) {
+  return (
+    <p>
+      <var>{operand}</var>{" "}
+      <NamedComponents quaternion={report[operand]} digits={digits} unit={unit} />
+    </p>
+  );
+}
+
+const operands: readonly Operand[] = ["p", "q"];
 const signOf: Record<Handedness, string> = { right: "⊙", left: "⊗" };
 const letterOf: Record<Frame, string> = { world: "W", body: "B", "second-body": "B′" };
 const otherOf: Record<Operand, Operand> = { p: "q", q: "p" };
@@ -87,28 +115,37 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
     tied: declared.convention.handedness === "left" ? [jpl, hamilton] : [hamilton, jpl],
   }));
   const shownAs = { engine: store.engine, declared, digits, unit };
+  const carryLinks = (
+    <CarryLinks
+      store={store}
+      of={spelled(declared)}
+      quaternion={{ components: declared.quaternion, convention: declared.convention }}
+      to={["read", "translate"]}
+    />
+  );
   return (
-    <>
-      {!isPreset && <ProductCard product={declared} {...shownAs} />}
-      {headline && (
-        <Pair tied={headline.tied} {...shownAs}>
-          <CarryLinks
-            store={store}
-            of={spelled(declared)}
-            quaternion={{ components: declared.quaternion, convention: declared.convention }}
-            to={["read", "translate"]}
-          />
-        </Pair>
-      )}
-      <Road report={report} engine={store.engine} digits={digits} />
+    <div class={`composed composed-${digits}`}>
+      <div class="products">
+        {!isPreset && (
+          <ProductCard product={declared} {...shownAs}>
+            {carryLinks}
+          </ProductCard>
+        )}
+        {headline && (
+          <Pair tied={headline.tied} tie={isPreset ? words.tie : words.tieOfPresets} {...shownAs}>
+            {isPreset && carryLinks}
+          </Pair>
+        )}
+      </div>
+      <Road report={report} engine={store.engine} digits={digits} unit={unit} />
       <Picture store={store} of="compose" />
       {others.map(({ key, tied }) => (
         <details key={key} class="fold">
           <summary>{words.otherOrder(tied.map(spelled).join(" = "))}</summary>
-          <Pair tied={tied} {...shownAs} />
+          <Pair tied={tied} tie={words.tie} {...shownAs} />
         </details>
       ))}
-    </>
+    </div>
   );
 }
 
@@ -121,31 +158,53 @@ interface ShownAs {
   unit: Unit;
 }
 
-/** Two products that have the same numbers. */
+/** Two products that have the same numbers; where there is room for one, a switch says which. */
 function Pair({
   tied,
+  tie,
   children,
   ...shownAs
-}: ShownAs & { tied: readonly Product[]; children?: ComponentChildren }) {
+}: ShownAs & { tied: readonly Product[]; tie: string; children?: ComponentChildren }) {
+  const [asked, ask] = useState<string>();
+  const products = tied.map(spelled);
+  const shown = asked !== undefined && products.includes(asked) ? asked : (products[0] ?? "");
   return (
-    <section class="pair" aria-label={tied.map(spelled).join(` ${words.equals} `)}>
-      <div class="pair-head">
-        <h2 class="tie">
-          {tied.map((product, at) => (
-            <Fragment key={spelled(product)}>
-              {at > 0 && <span class="tie-sign"> = </span>}
-              <span class={presetOf[product.convention.handedness]}>
-                <Formula product={product} />
-              </span>
-            </Fragment>
-          ))}{" "}
-          <span class="tie-words">{words.tie}</span>
-        </h2>
-        {children}
-      </div>
+    <section class="pair" aria-label={products.join(` ${words.equals} `)}>
+      <h2 class="tie">
+        {tied.map((product, at) => (
+          <Fragment key={spelled(product)}>
+            {at > 0 && <span class="tie-sign"> = </span>}
+            <span class={presetOf[product.convention.handedness]}>
+              <Formula product={product} />
+            </span>
+          </Fragment>
+        ))}{" "}
+        <span class="tie-words">{tie}</span>
+      </h2>
+      {children}
+      <Choice
+        kind="choice"
+        group={products.join()}
+        legend={words.shownProduct}
+        values={tied.map((product) => ({
+          value: spelled(product),
+          words: (
+            <span>
+              {wordsOf[presetOf[product.convention.handedness]].name} <Formula product={product} />
+            </span>
+          ),
+        }))}
+        chosen={shown}
+        choose={ask}
+      />
       <div class="columns">
         {tied.map((product) => (
-          <ProductCard key={spelled(product)} product={product} {...shownAs} />
+          <ProductCard
+            key={spelled(product)}
+            product={product}
+            place={spelled(product) === shown ? "shown" : "switched-off"}
+            {...shownAs}
+          />
         ))}
       </div>
     </section>
@@ -174,11 +233,8 @@ function Road({
   report,
   engine,
   digits,
-}: {
-  report: ComposeReport;
-  engine: Engine;
-  digits: Digits;
-}) {
+  unit,
+}: Omit<ShownAs, "declared"> & { report: ComposeReport }) {
   const product = report.declared;
   const [start, middle, end] = framesOf(product);
   const { preset } = engine.describe(product.convention);
@@ -214,6 +270,18 @@ function Road({
         )}
       </p>
       <OrderWords report={report} />
+      {/* Where the numbers of the product come first; elsewhere this stands under the fields. */}
+      <div class="road-operands">
+        {operands.map((operand) => (
+          <ReadOperand
+            key={operand}
+            operand={operand}
+            report={report}
+            digits={digits}
+            unit={unit}
+          />
+        ))}
+      </div>
     </section>
   );
 }
@@ -229,31 +297,47 @@ function OrderWords({ report }: { report: ComposeReport }) {
   }
 }
 
-function ProductCard({ product, engine, declared, digits, unit }: ShownAs & { product: Product }) {
+function ProductCard({
+  product,
+  engine,
+  declared,
+  digits,
+  unit,
+  place = "shown",
+  children,
+}: ShownAs & {
+  product: Product;
+  /** Where there is room for one product of a pair. */
+  place?: "shown" | "switched-off";
+  children?: ComponentChildren;
+}) {
   const { preset } = engine.describe(product.convention);
   const { name, matrix } = preset
     ? wordsOf[preset]
-    : { name: nameOf(product.convention, engine) ?? words.yours, matrix: undefined };
+    : { name: nameOf(product.convention, engine) ?? words.yourConvention, matrix: undefined };
   const isDeclared =
     product.left === declared.left && preset === engine.describe(declared.convention).preset;
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
   const values = productValues(product, engine.describe);
-  const { axis, angleDeg, angleRad } = product.turn;
   return (
     <section
-      class={`card column ${preset ?? "custom"}`}
+      class={`card column product ${preset ?? "custom"} ${place}`}
       aria-label={`${name}: ${spelled(product)}`}
     >
       <header>
         <h3>
-          {name} <Formula product={product} />
+          {name}{" "}
+          <span class="product-formula">
+            <Formula product={product} />
+          </span>
         </h3>
         {isDeclared && <span class="badge">{asDeclared}</span>}
         <p class="effect">
           {words.firstThen(<var>{product.right}</var>, <var>{product.left}</var>)} · {start} →{" "}
           {middle} → {end}
         </p>
+        {children}
       </header>
       <ComponentStrip
         symbol={spelled(product)}
@@ -264,21 +348,7 @@ function ProductCard({ product, engine, declared, digits, unit }: ShownAs & { pr
         digits={digits}
         copied="below"
       />
-      <div class="row product-turn">
-        <span class="row-symbol">{words.rotation}</span>
-        <span class="row-value">
-          {axis === undefined ? (
-            words.noRotation
-          ) : (
-            <code>
-              {words.about(
-                shownAngle({ degrees: angleDeg, radians: angleRad }, digits, unit),
-                shownAxis(axis, digits),
-              )}
-            </code>
-          )}
-        </span>
-      </div>
+      <Rotation turn={product.turn} digits={digits} unit={unit} />
       {matrix !== undefined && (
         <>
           <Matrix
@@ -294,12 +364,39 @@ function ProductCard({ product, engine, declared, digits, unit }: ShownAs & { pr
             digits={digits}
           />
           <p class="turns">
-            <var>{matrix}</var>(<Formula product={product} />) = <var>{matrix}</var>(
-            <var>{product.left}</var>) <var>{matrix}</var>(<var>{product.right}</var>).{" "}
+            <span class="turns-product">
+              <var>{matrix}</var>(<Formula product={product} />) = <var>{matrix}</var>(
+              <var>{product.left}</var>) <var>{matrix}</var>(<var>{product.right}</var>).
+            </span>{" "}
             {words.turns(<var>{first}</var>, <var>{otherOf[first]}</var>)}
           </p>
         </>
       )}
     </section>
+  );
+}
+
+/** What a product does to the body, as axis and angle. */
+function Rotation({
+  turn: { axis, angleDeg, angleRad },
+  digits,
+  unit,
+}: Pick<ShownAs, "digits" | "unit"> & { turn: Turn }) {
+  return (
+    <div class="row product-turn">
+      <span class="row-symbol">{words.rotation}</span>
+      <span class="row-value">
+        {axis === undefined ? (
+          words.noRotation
+        ) : (
+          <>
+            <code>{shownAngle({ degrees: angleDeg, radians: angleRad }, digits, unit)}</code>
+            <span>
+              {words.about} <code>{shownAxis(axis, digits)}</code>
+            </span>
+          </>
+        )}
+      </span>
+    </div>
   );
 }

@@ -6,6 +6,7 @@ import { expect, matrix, numbersOf, part, quaternionField, tab, test } from "./s
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 204_700;
 const lazyBudgets: Record<string, number> = {
+  "ComposePicture.css": 430,
   "ComposePicture.js": 1_520,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
@@ -72,7 +73,7 @@ function requested(page: Page): string[] {
 
 /** What follows the first result by itself: the picture, and what keeps the page for offline use. */
 const afterResult = [
-  ...["ReadPicture.js", "ComposePicture.js", "save.js", "case_title.js"],
+  ...["ReadPicture.js", "ComposePicture.js", "ComposePicture.css", "save.js", "case_title.js"],
   ...["offline.js", "offline.css", "favicon.svg"],
 ];
 

@@ -11,6 +11,7 @@ import { type Axes, composeScene, type Stage as Made, stagesOf } from "./compose
 import { useMotion } from "./motion.ts";
 import { Stage } from "./Stage.tsx";
 import { saveFile, svgText } from "./save.ts";
+import "./compose_picture.css";
 
 export function ComposePicture({ store }: { store: Store }) {
   const shown = store.compose.value;

@@ -163,7 +163,9 @@ test("Compose takes other descriptions and other conventions", async ({ page }) 
   // JPL of Yoosefian's eq. 18: (1 + 2i + 3j + 4k) ⊗ (1 + i) = −1 + 3i − j + 7k.
   await page.goto("/#compose?as=jpl&direction=body-to-world&p=1+%2B+2i+%2B+3j+%2B+4k&q=1+%2B+i");
   await expect(road.locator("h2")).toHaveText("p ⊗ q: first q, then p");
-  await expect(road.locator(".strip dd")).toHaveText(["3", "−1", "7", "−1"]);
+  const declared = page.getByRole("region", { name: "JPL of Yoosefian 2021, eq. 18: p ⊗ q" });
+  await expect(declared.locator(".strip dd")).toHaveText(["3", "−1", "7", "−1"]);
+  await expect(declared.locator(".badge")).toHaveText("as declared");
   await expect(road).toContainText("In JPL of Yoosefian 2021, eq. 18, body → world");
   await expect(page.getByRole("status")).toContainText("x 3, y −1, z 7, w −1");
 });

@@ -6,8 +6,9 @@ import { expect, matrix, numbersOf, part, quaternionField, tab, test } from "./s
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 204_700;
 const lazyBudgets: Record<string, number> = {
-  "Compose.css": 640,
-  "Compose.js": 2_600,
+  "Compose.css": 1_490,
+  "Compose.js": 2_970,
+  "ComposePicture.css": 430,
   "ComposePicture.js": 1_520,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
@@ -75,7 +76,7 @@ function requested(page: Page): string[] {
 
 /** What follows the first result by itself: the picture, the folds, Compose, and what keeps the page for offline use. */
 const afterResult = [
-  ...["ReadPicture.js", "ComposePicture.js", "save.js", "case_title.js"],
+  ...["ReadPicture.js", "ComposePicture.js", "ComposePicture.css", "save.js", "case_title.js"],
   ...["FoldedBody.js", "FoldedBody.css", "Compose.js", "Compose.css"],
   ...["offline.js", "offline.css", "favicon.svg"],
 ];

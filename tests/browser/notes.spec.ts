@@ -269,7 +269,8 @@ test("in Compose each operand has its own key", async ({ page }) => {
   await page.goto("/#compose?p=w%3D3+x%3D0+y%3D0+z%3D4&q=-0.6+%2B+0.8i");
   const p = page.getByRole("textbox", { name: "quaternion p" });
   const q = page.getByRole("textbox", { name: "quaternion q" });
-  await expect(notes(page)).toHaveText([/^p: The norm is 5/, /^q: The scalar is negative/]);
+  const lines = page.locator(".read-as > div");
+  await expect(lines).toHaveText([/^p .*The norm is 5/, /^q .*The scalar is negative/]);
   await expect(fix(page, "Write p/|p|")).toBeVisible();
   await q.focus();
   await page.keyboard.press("Alt+Enter");
@@ -288,19 +289,19 @@ test("in Translate a text is mended in its own field", async ({ page }) => {
   await expect(quaternionField(page)).toHaveValue("[0.1, -0.2, 0.4, 0.9]");
 });
 
-for (const width of [1280, 360]) {
-  test(`nothing below moves when notes and problems come, ${width} px wide`, async ({ page }) => {
-    await page.setViewportSize({ width, height: 900 });
-    await page.goto("/");
-    const top = () => page.locator(".result").evaluate((node) => (node as HTMLElement).offsetTop);
-    const before = await top();
-    for (const text of ["0.6 0 0 0.8", "3 0 0 4", "0.6 0.8k", "[0.6, 0, 0, 0.8", "0 0 0 0"]) {
-      await type(page, text);
-      expect(await top(), text).toBe(before);
-    }
-    expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
-  });
-}
+test("nothing below moves when notes and problems come", async ({ page }) => {
+  await page.goto("/");
+  const top = () => page.locator(".result").evaluate((node) => (node as HTMLElement).offsetTop);
+  const before = await top();
+  for (const text of ["0.6 0 0 0.8", "3 0 0 4", "0.6 0.8k", "[0.6, 0, 0, 0.8", "0 0 0 0"]) {
+    await type(page, text);
+    expect(await top(), text).toBe(before);
+    // Where there is less room for them they take it after a rest: first_screen.spec.ts.
+    await page.setViewportSize({ width: 360, height: 900 });
+    expect(await sidewaysScroll(page), text).toBeLessThanOrEqual(0);
+    await page.setViewportSize({ width: 1280, height: 900 });
+  }
+});
 
 test("notes with their buttons have no violations", async ({ page }) => {
   await page.goto("/#read?quaternion=-3+0+0+4");

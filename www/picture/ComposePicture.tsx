@@ -11,6 +11,7 @@ import { type Axes, composeScene, type Stage as Made, stagesOf } from "./compose
 import { useMotion } from "./motion.ts";
 import { Stage } from "./Stage.tsx";
 import { saveFile, svgText } from "./save.ts";
+import "./compose_picture.css";
 
 export function ComposePicture({ store }: { store: Store }) {
   const shown = store.compose.value;
@@ -48,7 +49,7 @@ function Steps({
     <>
       <div class="steps-head">
         <h2>{words.name}</h2>
-        <p>{words.lead}</p>
+        <p>{words.end(`${left} ${signs[convention.handedness]} ${right}`)}</p>
         <div class="steps-choice">
           <fieldset class="choice">
             <legend class="visually-hidden">{words.name}</legend>
@@ -82,7 +83,6 @@ function Steps({
           />
         ))}
       </div>
-      <p class="steps-end">{words.end(`${left} ${signs[convention.handedness]} ${right}`)}</p>
     </>
   );
 }
@@ -116,7 +116,12 @@ function Way({
   };
   return (
     <div ref={frame} class="steps-way">
-      <h3>{title}</h3>
+      <div class="steps-way-head">
+        <h3>{title}</h3>
+        <button type="button" class="text-button" onClick={save}>
+          {pictureWords.save}
+        </button>
+      </div>
       <Stage
         scene={scene}
         look={look}
@@ -124,15 +129,10 @@ function Way({
         describedBy={describedBy}
         onLook={(turned) => store.set({ picture: { ...store.state.peek().picture, look: turned } })}
       />
-      <div class="picture-bar">
-        <p class="picture-says" id={describedBy}>
-          {description}
-          <span class="visually-hidden"> {pictureWords.lookOnly}</span>
-        </p>
-        <button type="button" class="text-button" onClick={save}>
-          {pictureWords.save}
-        </button>
-      </div>
+      <p class="picture-says" id={describedBy}>
+        {description}
+        <span class="visually-hidden"> {pictureWords.lookOnly}</span>
+      </p>
     </div>
   );
 }

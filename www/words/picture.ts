@@ -77,7 +77,6 @@ export function samePoseWords(other: string, direction: string): string {
 /** The steps of a composition. */
 export const stepWords = {
   name: "Step by step",
-  lead: "The same two rotations of the body, about axes that stay and about axes that go along.",
   steps: ["Start", "First rotation", "Both rotations"],
   play: "Play",
   about: {

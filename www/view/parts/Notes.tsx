@@ -22,11 +22,6 @@ export function Notes({ notes, store }: { notes: readonly Note[]; store: Store }
     <ul class="notes">
       {here.map((note) => (
         <li key={`${note.field} ${note.fact.kind}`}>
-          {(note.field === "p" || note.field === "q") && (
-            <>
-              <var>{note.field}</var>:{" "}
-            </>
-          )}
           {noteWords(note, digits, unit)}
           {fixesOfNote(store, note).map((fix) => (
             <FixButton key={fix.label} store={store} field={note.field} fix={fix} />

@@ -8,6 +8,10 @@ export const input = "Input";
 /** Between two products, for who does not see the sign. */
 export const equals = "equals";
 export const tie = "the same numbers, transposed matrices";
+/** Where the declared convention is neither preset. */
+export const tieOfPresets = "the same rotation in the presets, with transposed matrices";
+/** Where there is room for one. */
+export const shownProduct = "Shown in";
 
 /** The operand that acts first, and the other one. */
 export const firstThen = (first: Symbols, then: Symbols) => (
@@ -18,7 +22,8 @@ export const firstThen = (first: Symbols, then: Symbols) => (
 
 export const rotation = "rotation";
 export const noRotation = "none: 0°";
-export const about = (angle: string, axis: string) => `${angle} about ${axis}`;
+/** Between an angle and an axis. */
+export const about = "about";
 export const otherOrder = (products: string) => `The other order: ${products}`;
 
 export const declared = (product: string) => `${product} as declared`;
@@ -36,7 +41,9 @@ export const afterOnAxes = (operand: Symbols, frame: string) => (
 );
 
 export const beyond = "beyond the range of a double";
+/** Inside a sentence, and as a name. */
 export const yours = "your convention";
+export const yourConvention = "Your convention";
 
 /** What the matrices of a convention do: an active one has that of the other direction. */
 export const matricesDo = {
@@ -69,6 +76,6 @@ export const turns = (first: Symbols, other: Symbols) => (
   </>
 );
 
-export const yourConvention = "your convention";
+export const spokenConvention = "your convention";
 export const spokenProduct = (convention: string, numbers: readonly string[]) =>
   `Result: p times q in ${convention}: ${numbers.join(", ")}.`;

@@ -64,7 +64,7 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
     await expect(said(page)).toHaveText(/a rotation by 90° about \[0, 0\.707107, 0\.707107\]/);
   },
   "third-of-a-turn": async (page) => {
-    await expect(said(page)).toContainText("a rotation by 120.000000° about");
+    await expect(said(page)).toContainText("a rotation by 120° about");
     // (1, 2, 3) on the body axes: x becomes y, y becomes z, z becomes x.
     await expect(array(page, "R(q) v")).toContainText("[3, 1, 2]");
   },

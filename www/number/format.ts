@@ -122,10 +122,11 @@ export function fromRadians(radians: number): Angle {
   return { degrees: Number(((radians * 180) / Math.PI).toPrecision(convertedDigits)), radians };
 }
 
-/** `45.000000°` or `0.785398 rad` for reading. */
+/** `45°`, `53.130102°` or `0.785398 rad` for reading. */
 export function shownAngle(angle: Angle, digits: Digits, unit: Unit): string {
-  const number = shown(angle[unit], digits);
-  return unit === "degrees" ? `${number}°` : `${number}\u00a0rad`;
+  return unit === "degrees"
+    ? `${shown(inDegrees(angle.degrees), digits)}°`
+    : `${shown(angle.radians, digits)}\u00a0rad`;
 }
 
 /** `53.1°` or `0.927 rad`: an angle in a sentence, of which few digits matter. */

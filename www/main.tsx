@@ -1,6 +1,7 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import "./style.css";
 import { render } from "preact";
+import { startPasting } from "./action/paste.ts";
 import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
@@ -34,6 +35,7 @@ engine.then(
     showTheme();
     followTheme();
     startShortcuts(store);
+    startPasting(store);
     // The other view of the same core opens at once.
     whenIdle(() => fetchAhead("compose"));
     if (import.meta.env.PROD) whenIdle(loadOffline);

@@ -12,7 +12,7 @@ for (const [what, part, answer] of [
   ["the main script is gone, as after a deploy", "**/index-*.js", notFound],
   ["the script that all share is gone", "**/preact-*.js", notFound],
   ["the host answers every address with a page", "**/index-*.js", html],
-  ["the connection breaks", "**/page_state-*.js", (route: Route) => route.abort()],
+  ["the connection breaks", "**/preact-*.js", (route: Route) => route.abort()],
   ["the script cannot be read", "**/index-*.js", unreadable],
 ] as const) {
   test(`words and a way to try again where ${what}`, async ({ page }) => {

@@ -1,6 +1,6 @@
 // The copy button and its menu of formats.
 import type { Page } from "@playwright/test";
-import { expect, test, violationsIn } from "./support/page.ts";
+import { expect, matrix, quaternionField, test, violationsIn } from "./support/page.ts";
 
 test.beforeEach(({ context }) => context.grantPermissions(["clipboard-read", "clipboard-write"]));
 
@@ -38,6 +38,37 @@ test("a value is copied as code, and the next click copies that format", async (
   await menuOf(page, "JPL q").click();
   await item(page, "Numbers").click();
   await expect.poll(() => clipboard(page)).toBe("[0.1, -0.2, 0.4, 0.888819441731559]");
+});
+
+test("a JPL log becomes code for Eigen in four actions", async ({ page }) => {
+  await page.goto("/");
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  await page.evaluate(() => navigator.clipboard.writeText("-0.0212 0.7031 0.0148 0.7106\n"));
+  // 1: pasted without a click into the field.
+  await page.keyboard.press("ControlOrMeta+v");
+  await expect(quaternionField(page)).toHaveValue("-0.0212 0.7031 0.0148 0.7106");
+  await expect(quaternionField(page)).toBeFocused();
+  // 2
+  await page.getByRole("radio", { name: /^JPL/ }).first().check();
+  // 3, 4
+  await menuOf(page, "Hamilton q").click();
+  await item(page, "C++, Eigen").click();
+  await expect
+    .poll(() => clipboard(page))
+    .toContain("Eigen::Quaterniond q(0.7106, -0.0212, 0.7031, 0.0148);");
+
+  // One step of undoing, also where a choice has the focus; a field takes what is pasted by itself.
+  await page.evaluate(() => navigator.clipboard.writeText("1 2 3 4"));
+  await page.getByRole("radio", { name: /^JPL/ }).first().focus();
+  await page.keyboard.press("ControlOrMeta+v");
+  await expect(quaternionField(page)).toHaveValue("1 2 3 4");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(quaternionField(page)).toHaveValue("-0.0212 0.7031 0.0148 0.7106");
+  const vector = page.getByRole("textbox", { name: "vector v" });
+  await vector.selectText();
+  await page.keyboard.press("ControlOrMeta+v");
+  await expect(vector).toHaveValue("1 2 3 4");
+  await expect(quaternionField(page)).toHaveValue("-0.0212 0.7031 0.0148 0.7106");
 });
 
 test("the menu is used by keyboard alone", async ({ page }) => {

@@ -1,6 +1,6 @@
 // A group of numbers is one stop of the Tab key: the arrow keys lead through it, Enter and typing edit.
 import type { Locator, Page } from "@playwright/test";
-import { expect, quaternionField, tabTo, test } from "./support/page.ts";
+import { expect, matrix, quaternionField, tabTo, test } from "./support/page.ts";
 
 const opened = "w=0.5 x=0.1 y=-0.3 z=0.8";
 
@@ -141,6 +141,9 @@ test.describe("under a finger", () => {
     page,
   }) => {
     await page.goto("/");
+    // What is folded comes after the first result.
+    await expect(page.locator(".fold-wait")).toHaveCount(0);
+    await expect(matrix(page, "R(q)")).toBeVisible();
     for (const name of ["R(q), row 2, column 2", "Hamilton q, w", "yaw in degrees"]) {
       const number = field(page, name);
       await number.evaluate((node) => node.scrollIntoView({ block: "center" }));

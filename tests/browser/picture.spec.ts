@@ -115,7 +115,7 @@ test("active and passive: the vector moves, or the axes do", async ({ page }) =>
     .poll(async () => (await letters()).sort())
     .toEqual(["90°", "v", "xB", "xW", "yB", "yW", "zB", "zW"].sort());
   await expect(stage(page)).toHaveAccessibleDescription(
-    /A turn by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector v is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
+    /A rotation by 90° about z carries the world axes W onto the body axes B.*x axis points to \[0, 1, 0\].*The vector v is \[0, 1, 0\] on the world axes and \[1, 0, 0\] on the body axes/,
   );
   await page.getByRole("radio", { name: "Active" }).focus();
   await page.keyboard.press("Space");
@@ -223,7 +223,7 @@ test("the same numbers under the other product are a second pose", async ({ page
   await page.goto("/#read?quaternion=90deg+about+z");
   await page.getByRole("checkbox", { name: "Also as JPL body → world" }).check();
   await expect(stage(page)).toHaveAccessibleDescription(
-    /^Dashed: the same four numbers read as JPL, body → world: the opposite turn/,
+    /^Dashed: the same four numbers read as JPL, body → world: the opposite rotation/,
   );
   const letters = await stage(page).locator("text").allTextContents();
   expect(letters).toEqual(expect.arrayContaining(["xH", "xJ", "yH", "yJ", "zH", "zJ"]));
@@ -241,7 +241,7 @@ test("the picture is saved as an SVG that needs nothing else", async ({ page }) 
   const text = await readFile(await download.path(), "utf8");
   expect(text).toMatch(/^<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/);
   expect(text).toContain("<title>Picture of the rotation</title>");
-  expect(text).toMatch(/<desc>A turn by 90° about z carries/);
+  expect(text).toMatch(/<desc>A rotation by 90° about z carries/);
   expect(text).not.toMatch(/var\(|class=| style=|NaN|undefined|href|script/);
   const opened = await page.evaluate((source) => {
     const { documentElement } = new DOMParser().parseFromString(source, "image/svg+xml");
@@ -255,7 +255,7 @@ test("a picture without a turn, or without a vector, is one without its parts", 
   page,
 }) => {
   await page.goto("/#read?quaternion=1+0+0+0&vector=0+0+0");
-  await expect(stage(page)).toHaveAccessibleDescription(/^No turn/);
+  await expect(stage(page)).toHaveAccessibleDescription(/^No rotation/);
   expect(await stage(page).locator("text").allTextContents()).not.toContain("x");
 });
 

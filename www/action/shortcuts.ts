@@ -135,6 +135,9 @@ export const table: readonly Shortcut[] = [
 const typing =
   'textarea, select, input:not([type="radio"], [type="checkbox"]), [contenteditable], [role="menu"], [role="listbox"], dialog';
 
+export const isTyping = (target: EventTarget | null) =>
+  target instanceof Element && target.closest(typing) !== null;
+
 /** The second key of two belongs to the first for so long. */
 const sequenceMs = 2000;
 
@@ -144,8 +147,8 @@ export function startShortcuts(store: Store) {
   addEventListener("keydown", (event) => {
     const { key, target, timeStamp } = event;
     const isAlone = !(event.ctrlKey || event.metaKey || event.altKey);
-    const isTyping = target instanceof Element && target.closest(typing) !== null;
-    if (shortcuts.peek() === "off" || event.defaultPrevented || !isAlone || isTyping) return;
+    if (shortcuts.peek() === "off" || event.defaultPrevented || !isAlone || isTyping(target))
+      return;
     const isSecond = timeStamp - first.at < sequenceMs;
     const sequence = isSecond && first.key !== "" ? `${first.key} ${key}` : key;
     const startsOne = table.some(({ keys }) =>

@@ -141,14 +141,12 @@ test.describe("under a finger", () => {
     page,
   }) => {
     await page.goto("/");
-    // What is folded comes after the first result.
-    await expect(page.locator(".fold-wait")).toHaveCount(0);
     await expect(matrix(page, "R(q)")).toBeVisible();
     for (const name of ["R(q), row 2, column 2", "Hamilton q, w", "yaw in degrees"]) {
       const number = field(page, name);
       await number.evaluate((node) => node.scrollIntoView({ block: "center" }));
       const places = () =>
-        page.locator(".result :is(.number-box, .copy, .row, h2)").evaluateAll((found) =>
+        page.locator(".answer-grid :is(.number-box, .copy, .row, h2)").evaluateAll((found) =>
           found.map((node) => {
             const { left, top, width, height } = node.getBoundingClientRect();
             return [left, top + scrollY, width, height].map((size) => Math.round(size * 10));

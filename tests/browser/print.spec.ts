@@ -26,11 +26,13 @@ test("a print ends with the case and its address, and never on a page with these
     expect(others).toEqual([]);
     await page.locator("main, .masthead").evaluateAll(show);
     // Wherever the last sheet ends.
-    for (const bottomMarginPx of [0, 40, 80, 120]) {
+    let sheets = 0;
+    for (const bottomMarginPx of [0, 40, 80, 120, 400]) {
       const pieces = await piecesPrinted(page, bottomMarginPx);
-      expect(pieces.length).toBeGreaterThan(1);
+      sheets = pieces.length;
       expect(pieces.at(-1), `${fragment}, ${bottomMarginPx} px`).toBeGreaterThan(alone);
     }
+    expect(sheets).toBeGreaterThan(1);
     await page.emulateMedia({ media: null });
   }
 });

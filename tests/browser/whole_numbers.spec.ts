@@ -57,6 +57,31 @@ test("a matrix that goes on says on which side", async ({ page }) => {
   await expect(frame).toHaveAttribute("data-hidden", "");
 });
 
+test("no matrix goes on beyond its place on paper, on a tablet and on a phone", async ({
+  page,
+}) => {
+  await page.goto("/#read?quaternion=-0.1111111111111119 -0.2 0.38 -0.92");
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  for (const [width, media] of [
+    [718, "print"],
+    [704, "screen"],
+    [768, "screen"],
+    [390, "screen"],
+    [360, "screen"],
+  ] as const) {
+    await page.setViewportSize({ width, height: 1000 });
+    await page.emulateMedia({ media });
+    const wide = await page
+      .locator(".matrix-scroll:visible")
+      .evaluateAll((found) =>
+        found
+          .filter(({ scrollWidth, clientWidth }) => scrollWidth > clientWidth)
+          .map((frame) => `${frame.ariaLabel} at ${innerWidth} px`),
+      );
+    expect(wide, media).toEqual([]);
+  }
+});
+
 for (const deviceScaleFactor of [1, 1.5, 2, 3]) {
   test.describe(() => {
     test.use({ deviceScaleFactor });

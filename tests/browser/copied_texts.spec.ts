@@ -51,6 +51,7 @@ function values(): Record<string, Copied> {
     yoosefian: declaredValues(read(numbers, yoosefian), describe).quaternion,
     active: declaredValues(read(numbers, active), describe).quaternion,
     "norm-2": columnValues(read("2 0 0 0", hamilton).hamilton, describe).quaternion,
+    "jpl-norm": columnValues(read("0.2 -0.1 0.4 0.8", jpl).jpl, describe).quaternion,
     "tiny-part": columnValues(read("1 1e-9 -2.5e-12 0", hamilton).hamilton, describe).quaternion,
     matrix: columns.hamilton.matrix,
     "jpl-matrix": columns.jpl.matrix,

@@ -33,6 +33,13 @@ q.to_rotation_matrix().into_inner()
 let q = Quaternion::new(2.0, 0.0, 0.0, 0.0);
 UnitQuaternion::from_quaternion(q).to_rotation_matrix().into_inner()
 }, [[1_f64,0_f64,0_f64],[0_f64,1_f64,0_f64],[0_f64,0_f64,1_f64]]),
+("jpl-norm", {
+// q: JPL (ij = -k), world to body; Quaternion::new takes w x y z
+// the numbers as they are: nalgebra multiplies ij = k, so to_rotation_matrix() of them, normalized, is R(q) = C(q)^T, body to world
+// its norm is 0.9219544457292888, not 1
+let q = Quaternion::new(0.8, 0.2, -0.1, 0.4);
+UnitQuaternion::from_quaternion(q).to_rotation_matrix().into_inner()
+}, [[0.6_f64,-0.8_f64,0_f64],[0.7058823529411765_f64,0.5294117647058824_f64,-0.47058823529411764_f64],[0.3764705882352941_f64,0.2823529411764706_f64,0.8823529411764706_f64]]),
 ("tiny-part", {
 // q: Hamilton (ij = k), body to world; Quaternion::new takes w x y z
 let q = UnitQuaternion::from_quaternion(Quaternion::new(1.0, 1e-9, -2.5e-12, 0.0));

@@ -78,17 +78,19 @@ function quaternionSays(value: CopiedQuaternion, format: CodeFormat): string[] {
 
 /** What the library makes of the numbers, where that is not what the convention says anyway. */
 function libraryMatrix(
-  { convention, hamiltonMatrix }: CopiedQuaternion,
+  { convention, hamiltonMatrix, norm }: CopiedQuaternion,
   library: Library,
 ): string[] {
+  // Not every library does that by itself.
+  const them = isNormOne(norm) ? "them" : "them, normalized,";
   const direction = directionWords[hamiltonMatrix];
   if (convention.handedness === "left") {
     return [
-      `the numbers as they are: ${library.name} multiplies ij = k, so ${library.matrix} of them is R(q) = C(q)^T, ${direction}`,
+      `the numbers as they are: ${library.name} multiplies ij = k, so ${library.matrix} of ${them} is R(q) = C(q)^T, ${direction}`,
     ];
   }
   return convention.function === "active"
-    ? [`${library.matrix} of them is R(q), for coordinates ${direction}`]
+    ? [`${library.matrix} of ${them} is R(q), for coordinates ${direction}`]
     : [];
 }
 

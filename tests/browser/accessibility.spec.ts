@@ -33,8 +33,8 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
           - radio /Hamilton/ [checked]
           - radio /JPL/
         - textbox "vector v"
-        - group "Angles"
-        - group "Decimals"
+        - radiogroup "Angles"
+        - radiogroup "Decimals"
         - list "Examples"
         - button "More examples"
         - paragraph:

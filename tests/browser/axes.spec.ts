@@ -115,7 +115,7 @@ test("nine numbers are read with the function and direction of a matrix", async 
   await page.goto("/#read?quaternion=0+-1+0+1+0+0+0+0+1");
   await expect(page.getByRole("textbox", { name: "yaw in degrees" })).toHaveValue("90");
   await page.locator(".more > summary").click();
-  const direction = page.getByRole("group", { name: "Direction of the matrix" });
+  const direction = page.getByRole("radiogroup", { name: "Direction of the matrix" });
   await direction.getByRole("radio", { name: "body to world" }).focus();
   await page.keyboard.press("ArrowDown");
   await expect(page.getByRole("textbox", { name: "yaw in degrees" })).toHaveValue("−90");
@@ -149,7 +149,7 @@ test("an address restores axes, matrix and sequence", async ({ page }) => {
   await expect(declared.locator(".strip dt")).toHaveText(["x", "y", "z", "w"]);
   await expect(page.getByRole("combobox", { name: "Euler axes" })).toHaveValue("zyz");
   await page.locator(".more > summary").click();
-  const matrixFunction = page.getByRole("group", { name: "Function of the matrix" });
+  const matrixFunction = page.getByRole("radiogroup", { name: "Function of the matrix" });
   await expect(matrixFunction.getByRole("radio", { name: "active" })).toBeChecked();
 });
 

@@ -86,7 +86,7 @@ for (const [width, height] of [
     expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThan(2600);
     expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
 
-    const shownIn = page.getByRole("group", { name: "Shown in" });
+    const shownIn = page.getByRole("radiogroup", { name: "Shown in" });
     await shownIn.getByRole("radio", { name: "JPL" }).check();
     await expect(matrix(page, "R(q)")).toBeHidden();
     await expect(matrix(page, "C(q)")).toBeInViewport({ ratio: 1 });

@@ -120,7 +120,7 @@ test("a convention of one's own starts from what stands there", async ({ page })
   await page.keyboard.press("Enter");
   await expect(headline(page)).toHaveText("Reordered, not conjugated");
   const from = page.getByRole("group", { name: "From", exact: true });
-  const direction = from.getByRole("group", { name: "Direction" });
+  const direction = from.getByRole("radiogroup", { name: "Direction" });
   await expect(direction.getByRole("radio", { name: "world to body" })).toBeChecked();
   await direction.getByRole("radio", { name: "body to world" }).check();
   await expect(headline(page)).toHaveText("Reordered and conjugated");

@@ -44,7 +44,7 @@ function goTo(tab: Tab, at: number): Shortcut[] {
 
 const goToView = (view: View, ...otherKeys: string[]): Shortcut => ({
   name: view,
-  keys: [`g ${view.charAt(0)}`, ...otherKeys],
+  keys: [...otherKeys, `g ${view.charAt(0)}`],
   act: (store) => {
     follow(store.linkTo({ view }));
     return viewNames[view];

@@ -5,6 +5,7 @@ import * as words from "../../words/compose/compose.tsx";
 import { AskRest } from "../parts/Ask.tsx";
 import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
+import { presetItself } from "../parts/convention_names.ts";
 import { Notes } from "../parts/Notes.tsx";
 import { Picture } from "../parts/Picture.tsx";
 import { TextField } from "../parts/TextField.tsx";
@@ -65,7 +66,7 @@ function ReadAs({ report, store }: { report: ComposeReport; store: Store }) {
 function Result({ report, store }: { report: ComposeReport; store: Store }) {
   const { digits, unit } = store.state.value;
   const { declared } = report;
-  const isPreset = store.engine.describe(declared.convention).preset !== undefined;
+  const isPreset = presetItself(declared.convention, store.engine) !== undefined;
   // Each product of the Hamilton kind stands beside the JPL product that has the same numbers.
   const pairs = report.products
     .filter((product) => product.convention.handedness === "right")

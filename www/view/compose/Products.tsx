@@ -8,7 +8,7 @@ import { shownAngle, shownAxis } from "../../number/format.ts";
 import * as words from "../../words/compose/compose.tsx";
 import { asDeclared, wordsOf } from "../../words/conventions.ts";
 import { Choice } from "../parts/Choice.tsx";
-import { nameOf } from "../parts/convention_names.ts";
+import { nameOf, presetItself } from "../parts/convention_names.ts";
 import { ComponentStrip, Matrix } from "../parts/Value.tsx";
 import { Formula, framesOf, type ShownAs, spelled } from "./Formula.tsx";
 
@@ -85,12 +85,12 @@ export function ProductCard({
   place?: "shown" | "switched-off";
   children?: ComponentChildren;
 }) {
-  const { preset } = engine.describe(product.convention);
+  const preset = presetItself(product.convention, engine);
   const { name, matrix } = preset
     ? wordsOf[preset]
     : { name: nameOf(product.convention, engine) ?? words.yourConvention, matrix: undefined };
   const isDeclared =
-    product.left === declared.left && preset === engine.describe(declared.convention).preset;
+    product.left === declared.left && preset === presetItself(declared.convention, engine);
   const [start, middle, end] = framesOf(product);
   const first = product.firstAboutFixedAxes;
   const values = productValues(product, engine.describe);

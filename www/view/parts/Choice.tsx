@@ -1,5 +1,6 @@
 // One of a few values, of which all are seen: radio buttons under a legend.
 import type { ComponentChildren } from "preact";
+import { useId } from "preact/hooks";
 import "./choice.css";
 
 export interface ValueInWords<Value extends string> {
@@ -26,9 +27,13 @@ export function Choice<Value extends string>({
   chosen: Value;
   choose: (value: Value) => void;
 }) {
+  const id = useId();
   return (
-    <fieldset class={kind}>
-      <legend>{legend}</legend>
+    // No fieldset: WebKit puts the legend of one above all that stands in a line.
+    <div class={kind} role="radiogroup" aria-labelledby={id}>
+      <span class="legend" id={id}>
+        {legend}
+      </span>
       {values.map(({ value, words, name }) => (
         <label key={value}>
           <input
@@ -42,6 +47,6 @@ export function Choice<Value extends string>({
           {words}
         </label>
       ))}
-    </fieldset>
+    </div>
   );
 }

@@ -14,6 +14,7 @@ import { conventionNames, wordsOf } from "../../words/conventions.ts";
 import * as askWords from "../../words/parts/ask.tsx";
 import * as words from "../../words/parts/more_axes.tsx";
 import { AxisChoice } from "./AxisChoice.tsx";
+import { presetItself } from "./convention_names.ts";
 import { MatrixOf } from "./RulesList.tsx";
 import "./more_axes.css";
 
@@ -23,7 +24,8 @@ export function MoreAxes({ store }: { store: Store }) {
   const base = namedConventions[state.preset];
   const setAxis = (axis: Axis, value: string) =>
     store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
-  const { named, preset } = store.engine.describe(convention);
+  const { named } = store.engine.describe(convention);
+  const preset = presetItself(convention, store.engine);
   // In full it stands on the switch.
   const name = preset ? wordsOf[preset].name : askWords.custom;
   const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
@@ -32,8 +34,11 @@ export function MoreAxes({ store }: { store: Store }) {
   return (
     <details class="more">
       <summary>
-        <span class="more-word">{words.more}</span> <span class="more-now">{name}</span>{" "}
-        {words.choices}
+        {words.more}
+        <span class="convention-now">
+          {": "}
+          <span>{name}</span> {words.choices}
+        </span>
       </summary>
       <div class="more-panel">
         <div class="named-conventions">

@@ -1,6 +1,7 @@
 // Hamilton and JPL beside each other; where there is room for one, a switch says which.
 import { useState } from "preact/hooks";
 import type { ReadReport } from "../../engine.ts";
+import { presetOf } from "../../model/conventions.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
@@ -25,7 +26,7 @@ export function Columns({
   const [asked, ask] = useState<{ shown: Preset; declared: Preset | undefined }>();
   // Who declares another convention sees that one.
   if (asked && asked.declared !== declared) ask(undefined);
-  const shown = asked?.shown ?? declared ?? "hamilton";
+  const shown = asked?.shown ?? presetOf[report.quaternion.convention.handedness];
   return (
     <div class={`columns columns-of-${shown}`}>
       <Choice

@@ -11,6 +11,7 @@ import { examplesLabel, featuredNames, moreExamples } from "../../words/examples
 import * as words from "../../words/parts/ask.tsx";
 import { AskRest } from "../parts/Ask.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
+import { presetItself } from "../parts/convention_names.ts";
 import { Notes } from "../parts/Notes.tsx";
 import { Picture } from "../parts/Picture.tsx";
 import { FormWords } from "../parts/ReadAs.tsx";
@@ -109,7 +110,7 @@ function ReadAs({ report, store }: { report: ReadReport; store: Store }) {
 function Result({ report, store }: { report: ReadReport; store: Store }) {
   const { digits } = store.state.value;
   // What the numbers were declared as, which is not the switch's state while a text has a problem.
-  const { preset: declared } = store.engine.describe(report.quaternion.convention);
+  const declared = presetItself(report.quaternion.convention, store.engine);
   return (
     <>
       {declared === undefined && <DeclaredCard report={report} store={store} digits={digits} />}

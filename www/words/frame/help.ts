@@ -83,5 +83,5 @@ export const orWord = "or";
 export const thenWord = "then";
 
 export const whereTheyAct =
-  "A key alone acts while no text field has the focus. Undo, redo and fixing act in text fields too. What is pasted while no field has the focus goes into the first one. On the picture the arrow keys look round, and with Shift they turn the body.";
+  "A key alone acts while no text field has the focus. Undo, redo and fixing act in text fields too. What is pasted in Read, Compose or Translate while no field has the focus goes into the first one. On the picture the arrow keys look round, and with Shift they turn the body.";
 export const remembered = "The theme and this choice are remembered in this browser only.";

@@ -3,7 +3,7 @@ import type { ComponentChildren } from "preact";
 import type { Direction } from "../../engine.ts";
 import { arrowOf } from "../conventions.ts";
 
-export const more = "Convention:";
+export const more = "Convention";
 export const choices = "(5 choices)";
 export const named = "Named conventions:";
 export const five = "What four numbers mean is five independent choices.";

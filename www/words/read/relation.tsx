@@ -44,7 +44,7 @@ const label = (frames: string) => (
 
 export const orderSays = (
   <>
-    In <var>p</var>∘<var>q</var>, <var>q</var> acts first, in both. A camera C on the body B:{" "}
+    In <var>p</var>∘<var>q</var>, <var>q</var> acts first, in both. A camera C on body B:{" "}
     {label("WB")} ⊙ {label("BC")}, in JPL {label("BC")} ⊗ {label("WB")}.
   </>
 );

@@ -6,11 +6,10 @@ import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
 import { holdWhileTyping, releaseOnLeaving } from "./dom/hold.ts";
-import { loadSmallEngine, loadWholeEngine } from "./engine.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
 import { createStore } from "./state/store.ts";
-import { fetchAhead, isLazy, needsWholeCore } from "./view/frame/lazy_views.ts";
+import { beginWith, loadFile } from "./view/frame/lazy_views.ts";
 import { Page } from "./view/frame/Page.tsx";
 import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 
@@ -18,12 +17,7 @@ const root = document.getElementById("page");
 if (root === null) throw new Error("index.html has no element #page");
 
 restoreAddress();
-// A view that needs the whole core begins with it, and the file of a view comes beside its core.
-const { view } = fromFragment(location.hash);
-const engine = needsWholeCore(view) ? loadWholeEngine() : loadSmallEngine();
-if (isLazy(view)) fetchAhead(view);
-
-engine.then(
+beginWith(fromFragment(location.hash).view).then(
   (engine) => {
     const store = createStore(engine, location.hash, rememberedNumbers);
     root.replaceChildren();
@@ -37,7 +31,7 @@ engine.then(
     startShortcuts(store);
     startPasting(store);
     // The other view of the same core opens at once.
-    whenIdle(() => fetchAhead("compose"));
+    whenIdle(() => loadFile("compose"));
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {

@@ -153,6 +153,26 @@ test("an address restores axes, matrix and sequence", async ({ page }) => {
   await expect(matrixFunction.getByRole("radio", { name: "active" })).toBeChecked();
 });
 
+test("the numbers of a preset in another order are shown, copied and told as declared", async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await page.goto("/#read?order=scalar-last&quaternion=0+0.6+0+-0.9");
+  const declared = page.getByRole("region", { name: "Hamilton as Eigen and ROS store it" });
+  await expect(declared.locator(".strip dt")).toHaveText(["x", "y", "z", "w"]);
+  await expect(page.locator(".badge")).toHaveCount(1);
+  await expect(declared.locator(".badge")).toHaveText("as declared");
+  await expect(page).toHaveTitle(/Hamilton \(x y z w\) 0 0\.6 0 −0\.9/);
+  await page.keyboard.press("c");
+  await expect
+    .poll(() => page.evaluate(() => navigator.clipboard.readText()))
+    .toBe("[0, 0.6, 0, -0.9]");
+  await page.goto("/#compose?as=jpl&order=scalar-first&p=0.5+0.5+0.5+0.5&q=0.1+0.2+0.3+0.9");
+  const product = page.locator(".product").filter({ hasText: "as declared" });
+  await expect(product.locator(".strip dt")).toHaveText(["w", "x", "y", "z"]);
+});
+
 test("Compose takes other descriptions and other conventions", async ({ page }) => {
   await page.goto("/#compose?p=90%C2%B0+about+z&q=90%C2%B0+about+x&direction=world-to-body");
   await expect(page.locator(".read-as").first()).toContainText("90° about z");

@@ -56,3 +56,26 @@ test("the answer of Identify is translated from: as a library, and as a conventi
   await expect(answer).toContainText("256 of 256");
   await expect(answer.getByRole("link")).toHaveCount(0);
 });
+
+test("nothing is carried on from a text with a problem, and an example was declared by nobody", async ({
+  page,
+}) => {
+  const links = page.locator(".carry-links a:visible");
+  for (const [address, typed] of [
+    ["read?as=jpl&quaternion=1+2+3", "quaternion q"],
+    ["compose?as=jpl&direction=body-to-world&p=1+2+3", "quaternion p"],
+    ["translate?from=openvins&to=scipy&translated=1+2", "quaternion q"],
+  ] as const) {
+    await page.goto(`/#${address}`);
+    await expect(page.locator(".result.opening")).toBeVisible();
+    await expect(page.locator(".badge:visible").getByText("as declared")).toHaveCount(0);
+    await expect(links).toHaveCount(0);
+    const field = page.getByRole("textbox", { name: typed });
+    await field.fill("0.5 0.5 0.5 0.5");
+    await expect(links.first()).toBeVisible();
+    // A result that is no longer that of the text.
+    await field.fill("0.5 0.5 0.5 0.5 1");
+    await expect(page.locator(".result.old")).toBeVisible();
+    await expect(links).toHaveCount(0);
+  }
+});

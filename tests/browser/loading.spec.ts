@@ -6,7 +6,7 @@ import { expect, matrix, numbersOf, part, quaternionField, tab, test } from "./s
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 204_700;
 const lazyBudgets: Record<string, number> = {
-  "Compose.css": 1_490,
+  "Compose.css": 1_540,
   "Compose.js": 2_970,
   "ComposePicture.css": 430,
   "ComposePicture.js": 1_520,
@@ -17,7 +17,7 @@ const lazyBudgets: Record<string, number> = {
   "Gallery.css": 350,
   "Gallery.js": 2_520,
   "Help.css": 460,
-  "Help.js": 1_360,
+  "Help.js": 1_390,
   "Identify.css": 2_350,
   "Identify.js": 9_570,
   "Libraries.css": 1_710,
@@ -121,9 +121,16 @@ test("the whole core takes over what was typed for the small one", async ({ page
 
 for (const width of [1280, 390]) {
   test(`nothing moves while the page loads and is typed into, ${width} wide`, async ({ page }) => {
-    await page.setViewportSize({ width, height: 800 });
+    // So high that nothing moves out of sight.
+    await page.setViewportSize({ width, height: 2400 });
     await page.addInitScript(watchShifts);
-    await page.goto("./", { waitUntil: "networkidle" });
+    for (const view of ["compose", "translate", "identify", "libraries", "read"]) {
+      // Another document each time, not a change of view.
+      await page.goto("about:blank");
+      await page.goto(`./#${view}`, { waitUntil: "networkidle" });
+      await expect(page.locator("main .loading")).toHaveCount(0);
+      expect(await page.evaluate(cumulativeShift), view).toBe(0);
+    }
     await quaternionField(page).focus();
     await page.keyboard.press("ControlOrMeta+a");
     for (const key of "0.92 + 0.38k") await page.keyboard.press(key === " " ? "Space" : key);

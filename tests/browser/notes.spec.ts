@@ -303,6 +303,21 @@ test("nothing below moves when notes and problems come", async ({ page }) => {
   }
 });
 
+test("a button that fixes a text is as high as a finger or an unsteady hand needs", async ({
+  page,
+}) => {
+  for (const text of ["3 0 0 4", "[0.6, 0, 0, 0.8"]) {
+    await page.goto("/");
+    await type(page, text);
+    const buttons = page.locator(".ask-status .fix");
+    await expect(buttons.first()).toBeVisible();
+    for (const { height } of await buttons.evaluateAll((found) =>
+      found.map((button) => button.getBoundingClientRect()),
+    ))
+      expect(height).toBeGreaterThanOrEqual(24);
+  }
+});
+
 test("notes with their buttons have no violations", async ({ page }) => {
   await page.goto("/#read?quaternion=-3+0+0+4");
   await expect(notes(page)).toHaveCount(3);

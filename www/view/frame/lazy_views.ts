@@ -1,7 +1,7 @@
 // The views that are not in the first load. Each is a file of its own, and most ask the whole core.
 import { type Signal, signal } from "@preact/signals";
 import type { VNode } from "preact";
-import { loadWholeEngine } from "../../engine.ts";
+import { type Engine, loadSmallEngine, loadWholeEngine } from "../../engine.ts";
 import type { View } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 
@@ -53,9 +53,20 @@ export function needsWholeCore(view: View): boolean {
   return view !== "read" && view !== "compose";
 }
 
-/** Asks for the file of a view before it is opened. It never throws. */
-export async function fetchAhead(view: LazyView) {
-  await files[view]().catch(() => undefined);
+/** The core that a view begins with. Its file comes beside it, so that it stands there with the first result. */
+export async function beginWith(view: View): Promise<Engine> {
+  const [engine] = await Promise.all([
+    needsWholeCore(view) ? loadWholeEngine() : loadSmallEngine(),
+    isLazy(view) ? loadFile(view) : undefined,
+  ]);
+  return engine;
+}
+
+/** Loads the file of a view whose core is there. It never throws: where it fails the view tries again. */
+export async function loadFile(view: LazyView) {
+  try {
+    loadingOf[view].value = { status: "loaded", ...(await files[view]()) };
+  } catch {}
 }
 
 /** Loads a view and the core that it needs, unless that is done or under way. It never throws. */

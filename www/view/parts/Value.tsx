@@ -49,7 +49,7 @@ export function ComponentStrip({
   const strip = (
     <div class="strip">
       <var>{symbol}</var>
-      <dl class={group && `edited digits-${digits}`}>
+      <dl class={`${group ? "edited " : ""}digits-${digits}`}>
         {names.map((component, at) => (
           <div key={component} class={component === "w" ? "strip-scalar" : undefined}>
             <dt>{component}</dt>

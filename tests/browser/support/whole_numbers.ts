@@ -5,6 +5,7 @@ const longest = "quaternion=-0.1111111111111119 -1.2345678901234567e-300 0.38 -0
 export const addresses = [
   "read?digits=4",
   "read",
+  "read?quaternion=-0.1234 -0.2345 -0.3456 -0.8",
   "read?digits=all",
   `read?unit=rad&euler=zxz&${longest}`,
   `read?digits=all&${longest}`,
@@ -119,6 +120,14 @@ export async function cutNumbers(): Promise<string[]> {
     const sign = getComputedStyle(matrix.parentElement as Element, "::after");
     const isSaid = sign.borderTopWidth !== "0px" && sign.content !== "none";
     if (isWide !== isSaid) faults.push(`${namedBy(matrix)}: goes on ${isWide}, says so ${isSaid}`);
+  }
+  // Three usual numbers in one bracket stand in one line, or each in its own.
+  for (const vector of windowWidth > 1200 ? document.querySelectorAll(".vector") : []) {
+    const isUsual = [...vector.querySelectorAll("input")].every(({ value }) => value.length < 10);
+    const lines = [...vector.children].map((box) => box.getBoundingClientRect().top);
+    if (isUsual && ![1, lines.length].includes(new Set(lines).size)) {
+      faults.push(`${namedBy(vector)}: three numbers in two lines`);
+    }
   }
   const beyond = document.documentElement.scrollWidth - windowWidth;
   if (beyond > 0) faults.push(`the page is ${beyond} px wider than the window`);

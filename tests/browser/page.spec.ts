@@ -90,14 +90,18 @@ test("reloading the address gives the same page", async ({ page }) => {
   await page.getByRole("radio", { name: "all" }).focus();
   await page.keyboard.press("Space");
   await expect(page).toHaveURL(/as=jpl.*digits=all/);
+  // What comes after the first result is there too.
+  const allIsThere = () => expect(page.locator(".picture-wait, .fold-wait")).toHaveCount(0);
   const shown = async () => [
     await page.locator(".read-as").innerHTML(),
     await page.locator(".result").innerHTML(),
     await textsOf(page.locator(":has(> input[type=text])")),
   ];
+  await allIsThere();
   const before = await shown();
   await page.reload();
   await expect(matrix(page, "R(q)")).toBeVisible();
+  await allIsThere();
   expect(await shown()).toEqual(before);
   await expect(quaternionField(page)).toHaveValue("x: 0.1\ny: -0.2\nz: 0.38\nw: 0.92");
 });

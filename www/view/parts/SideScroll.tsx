@@ -26,11 +26,19 @@ export function SideScroll({
   useEffect(() => {
     const node = frame.current;
     if (node === null) return;
-    // It looks at once, and whenever the place or what stands in it has another size.
-    const observer = new ResizeObserver(look);
+    // It looks at once, and whenever the place or what stands in it has another size: in the next frame,
+    // since what changes within this one an engine tells as an error.
+    let nextFrame = 0;
+    const observer = new ResizeObserver(() => {
+      cancelAnimationFrame(nextFrame);
+      nextFrame = requestAnimationFrame(look);
+    });
     observer.observe(node);
     for (const child of node.children) observer.observe(child);
-    return () => observer.disconnect();
+    return () => {
+      observer.disconnect();
+      cancelAnimationFrame(nextFrame);
+    };
   }, []);
   const isReached = hidden === "" || frame.current?.querySelector("input") !== null;
   return (

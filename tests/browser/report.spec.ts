@@ -154,7 +154,9 @@ test("the norm in a copy is the one on the page", async ({ page, context }) => {
   await expect(page.locator(".read-as")).toContainText(`norm ${norm}`);
   await page.getByRole("button", { name: "Formats of Hamilton q", exact: true }).click();
   await page.getByRole("menuitemradio", { name: "Test vector" }).click();
-  const vector = JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+  const copied = () => page.evaluate(() => navigator.clipboard.readText());
+  await expect.poll(copied).toContain("testVector");
+  const vector = JSON.parse(await copied());
   expect(vector.is).toContain(`its norm is ${norm}, not 1`);
   expect(vector.expected.form).toBe("R(q/|q|)");
 });

@@ -35,8 +35,8 @@ export async function cutNumbers(): Promise<string[]> {
   for (const columns of document.querySelectorAll(".columns")) {
     columns.classList.remove("columns-of-hamilton", "columns-of-jpl");
   }
-  // The signs at the edges follow the sizes.
-  for (const _ of [1, 2]) await new Promise((painted) => requestAnimationFrame(painted));
+  // The signs at the edges follow the sizes by a frame or two.
+  for (const _ of [1, 2, 3, 4]) await new Promise((painted) => requestAnimationFrame(painted));
   const faults: string[] = [];
   /** Of a place on the screen, which engines round. */
   const roundingPx = 0.5;

@@ -135,8 +135,11 @@ export const table: readonly Shortcut[] = [
 const typing =
   'textarea, select, input:not([type="radio"], [type="checkbox"]), [contenteditable], [role="menu"], [role="listbox"], dialog';
 
+/** Until the next frame a dialog that has just been closed has the focus still: nobody types there. */
 export const isTyping = (target: EventTarget | null) =>
-  target instanceof Element && target.closest(typing) !== null;
+  target instanceof Element &&
+  target.closest(typing) !== null &&
+  target.closest("dialog:not([open])") === null;
 
 /** The second key of two belongs to the first for so long. */
 const sequenceMs = 2000;

@@ -84,9 +84,10 @@ export async function typeOver(page: Page, text: string) {
   await page.keyboard.type(text);
 }
 
-/** Opens every part of the page that can be. */
-export function openEverything(page: Page) {
-  return page.evaluate(() => {
+/** Opens every part of the page that can be, with what comes after the first result. */
+export async function openEverything(page: Page) {
+  await expect(page.locator(".fold-wait")).toHaveCount(0);
+  await page.evaluate(() => {
     for (const details of document.querySelectorAll("details")) details.open = true;
   });
 }

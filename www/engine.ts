@@ -63,10 +63,13 @@ const small: EitherCore = {
   takePanicMessage,
 };
 
+/** The views that the core of the first load answers. */
+export const smallViews: Engine["views"] = ["read", "compose"];
+
 export async function loadSmallEngine(): Promise<Engine> {
   await loadSmall({ module_or_path: smallUrl });
   return {
-    views: ["read", "compose"],
+    views: smallViews,
     libraries: [],
     standardProbes: [],
     ...answersOf(small, calling(small)),
@@ -101,7 +104,7 @@ async function fetchWholeEngine(): Promise<Engine> {
   const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
   const call = calling(whole);
   return {
-    views: ["read", "compose", "translate", "identify"],
+    views: [...smallViews, "translate", "identify"],
     libraries: JSON.parse(librariesJson()),
     standardProbes: standardProbes(),
     ...answersOf(whole, call),

@@ -319,7 +319,7 @@ for (const width of [1280, 390]) {
   test(`nothing moves while numbers are edited, ${width} px`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await page.goto("/");
-    const all = page.locator(".hamilton .number, .hamilton .row, .hamilton .copy");
+    const all = page.locator(".column.hamilton :is(.number, .row, .copy)");
     const cell = field(page, "R(q), row 2, column 2");
     await cell.scrollIntoViewIfNeeded();
     const before = await tops(all);

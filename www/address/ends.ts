@@ -2,6 +2,7 @@
 // the five axes `:scalar-last,left,passive,world-to-body,local`.
 import type { Convention, Endpoint } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
+import { presetChoices } from "../model/page_state.ts";
 import { namedConventions } from "../values.ts";
 
 /** Whether there is a library with this id. */
@@ -11,15 +12,12 @@ const conventionMark = ":";
 const partMark = "~";
 const axisMark = ",";
 
-/** The conventions that a link names. */
-const named = ["hamilton", "jpl"] as const;
-
 export function endToText(end: Endpoint): string {
   if (end.kind === "library") {
     return [end.id, end.order, end.direction].filter((part) => part !== undefined).join(partMark);
   }
   const { convention } = end;
-  const name = named.find((name) =>
+  const name = presetChoices.find((name) =>
     axes.every((axis) => namedConventions[name][axis] === convention[axis]),
   );
   return conventionMark + (name ?? axes.map((axis) => convention[axis]).join(axisMark));
@@ -30,7 +28,7 @@ export function endFromText(text: string | null, isLibrary: IsLibrary): Endpoint
   if (text === null) return undefined;
   if (!text.startsWith(conventionMark)) return libraryFrom(text, isLibrary);
   const name = text.slice(conventionMark.length);
-  const known = named.find((other) => other === name);
+  const known = presetChoices.find((other) => other === name);
   const convention = known ? namedConventions[known] : fiveFrom(name);
   return convention && { kind: "convention", convention: { ...convention } };
 }

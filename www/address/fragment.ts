@@ -3,7 +3,7 @@ import type { Convention, Endpoint, EulerSequence, Probe } from "../engine.ts";
 import { axes, axisValues } from "../model/conventions.ts";
 import { sequenceName } from "../model/euler_sequence.ts";
 import type { PageState, Unit } from "../model/page_state.ts";
-import { digitChoices, opening, unitChoices, views } from "../model/page_state.ts";
+import { digitChoices, opening, presetChoices, unitChoices, views } from "../model/page_state.ts";
 import { mostObservations } from "../model/probes.ts";
 import { eulerAxesValues, eulerFrameValues, languageValues, probeKindValues } from "../values.ts";
 import { endFromText, endToText, type IsLibrary } from "./ends.ts";
@@ -102,7 +102,7 @@ export function fromFragment(fragment: string, isLibrary: IsLibrary = () => true
   const state: PageState = {
     ...opening,
     view: oneOf(views, view) ?? opening.view,
-    preset: oneOf(["hamilton", "jpl"], parameters.get("as")) ?? opening.preset,
+    preset: oneOf(presetChoices, parameters.get("as")) ?? opening.preset,
     axes: axesFrom(parameters),
     matrix: {
       function: oneOf(axisValues.function, parameters.get("matrix")) ?? opening.matrix.function,

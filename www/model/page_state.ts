@@ -12,7 +12,8 @@ import { firstPicture, type PictureState } from "./picture_state.ts";
 
 export const views = ["read", "compose", "translate", "identify", "libraries"] as const;
 export type View = (typeof views)[number];
-export type Preset = "hamilton" | "jpl";
+export const presetChoices = ["hamilton", "jpl"] as const;
+export type Preset = (typeof presetChoices)[number];
 /** Decimals shown; a copy always has all of them. */
 export const digitChoices = ["4", "6", "all"] as const;
 export type Digits = (typeof digitChoices)[number];

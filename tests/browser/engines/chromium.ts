@@ -1,6 +1,6 @@
 // Chromium, driven by Playwright.
 import { chromium, type LaunchOptions } from "@playwright/test";
-import { type Engine, heightPx } from "./engine.ts";
+import { draggedBy, type Engine, heightPx } from "./engine.ts";
 
 export async function startChromium(options: LaunchOptions): Promise<Engine> {
   const browser = await chromium.launch(options);
@@ -23,13 +23,7 @@ export async function startChromium(options: LaunchOptions): Promise<Engine> {
     evaluate: (run, argument) => page.evaluate(run as never, argument),
     type: (text) => page.keyboard.type(text),
     press: (...keys) => page.keyboard.press(keys.join("+")),
-    drag: async (...places) => {
-      const [{ x, y } = { x: 0, y: 0 }, ...others] = places;
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      for (const place of others) await page.mouse.move(place.x, place.y);
-      await page.mouse.up();
-    },
+    drag: draggedBy(page.mouse),
     close: () => browser.close(),
   };
 }

@@ -36,3 +36,20 @@ export type EngineName = "chromium" | "firefox" | "webkit";
 
 /** High enough for the first screen. */
 export const heightPx = 800;
+
+interface Mouse {
+  move(x: number, y: number): Promise<void>;
+  down(): Promise<void>;
+  up(): Promise<void>;
+}
+
+/** A drag with the mouse of a driver that has one. */
+export const draggedBy =
+  (mouse: Mouse): Engine["drag"] =>
+  async (...places) => {
+    const [{ x, y } = { x: 0, y: 0 }, ...others] = places;
+    await mouse.move(x, y);
+    await mouse.down();
+    for (const place of others) await mouse.move(place.x, place.y);
+    await mouse.up();
+  };

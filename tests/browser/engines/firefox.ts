@@ -1,6 +1,6 @@
 // Firefox as people have it, over WebDriver BiDi: Playwright drives a Firefox of its own making only.
 import { launch } from "puppeteer-core";
-import { type Engine, heightPx, type Point } from "./engine.ts";
+import { draggedBy, type Engine, heightPx, type Point } from "./engine.ts";
 
 export interface Firefox extends Engine {
   /** A finger goes down at the first place, over the others, and up at the last. */
@@ -38,13 +38,7 @@ export async function startFirefox(preferences: Record<string, unknown> = {}): P
       for (const key of keys) await keyboard.down(key);
       for (const key of keys.toReversed()) await keyboard.up(key);
     },
-    drag: async (...places) => {
-      const [{ x, y } = { x: 0, y: 0 }, ...others] = places;
-      await mouse.move(x, y);
-      await mouse.down();
-      for (const place of others) await mouse.move(place.x, place.y);
-      await mouse.up();
-    },
+    drag: draggedBy(mouse),
     swipe: async (...places) => {
       const [{ x, y } = { x: 0, y: 0 }, ...others] = places;
       const finger = await touchscreen.touchStart(x, y);

@@ -13,5 +13,5 @@ export function spokenProduct(store: Store): string {
   const numbers = namesInOrder(convention).map(
     (name) => `${name} ${shown(quaternion[name], digits)}`,
   );
-  return words.spokenProduct(nameOf(convention, store.engine) ?? words.spokenConvention, numbers);
+  return words.spokenProduct(nameOf(convention, store.engine) ?? words.yours, numbers);
 }

@@ -1,7 +1,7 @@
 // The views that are not in the first load. Each is a file of its own, and most ask the whole core.
 import { type Signal, signal } from "@preact/signals";
 import type { VNode } from "preact";
-import { type Engine, loadSmallEngine, loadWholeEngine } from "../../engine.ts";
+import { type Engine, loadSmallEngine, loadWholeEngine, smallViews } from "../../engine.ts";
 import type { View } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 
@@ -49,8 +49,8 @@ export function isLazy(view: View): view is LazyView {
 }
 
 /** Whether a view asks what the core of the first load does not answer. */
-export function needsWholeCore(view: View): boolean {
-  return view !== "read" && view !== "compose";
+function needsWholeCore(view: View): boolean {
+  return !smallViews.some((answered) => answered === view);
 }
 
 /** The core that a view begins with. Its file comes beside it, so that it stands there with the first result. */
@@ -64,8 +64,10 @@ export async function beginWith(view: View): Promise<Engine> {
 
 /** Loads the file of a view whose core is there. It never throws: where it fails the view tries again. */
 export async function loadFile(view: LazyView) {
+  const loading = loadingOf[view];
+  if (loading.peek().status === "loaded") return;
   try {
-    loadingOf[view].value = { status: "loaded", ...(await files[view]()) };
+    loading.value = { status: "loaded", ...(await files[view]()) };
   } catch {}
 }
 

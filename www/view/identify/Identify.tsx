@@ -169,6 +169,7 @@ function Ask({ store }: { store: Store }) {
         <label class="plain-field">
           {words.library}
           <input
+            class="plain-input"
             type="text"
             value={state.libraryName}
             autocomplete="off"

@@ -1,13 +1,11 @@
 // Declares how the text is meant: as a preset, or as the convention that is chosen beyond both.
 import { declaredConvention } from "../../model/conventions.ts";
-import type { Preset } from "../../model/page_state.ts";
+import { presetChoices } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.tsx";
 import { fiveWords, nameOf } from "./convention_names.ts";
 import "./convention_switch.css";
-
-const presets: Preset[] = ["hamilton", "jpl"];
 
 /** Declares how the text is meant. */
 export function ConventionSwitch({ store }: { store: Store }) {
@@ -18,7 +16,7 @@ export function ConventionSwitch({ store }: { store: Store }) {
   return (
     <fieldset class="switch">
       <legend class="visually-hidden">{words.meantAs}</legend>
-      {presets.map((preset) => (
+      {presetChoices.map((preset) => (
         <label key={preset} class={`switch-choice ${preset}`}>
           <input
             type="radio"

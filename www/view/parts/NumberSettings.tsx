@@ -19,7 +19,8 @@ export function NumberSettings({ store }: { store: Store }) {
     <div class="number-settings">
       <SettingChoice
         name="unit"
-        label={anglesLabel}
+        // The units say of what they are.
+        label={<span class="visually-hidden">{anglesLabel}</span>}
         choices={unitChoices}
         chosen={unit}
         words={unitWords}

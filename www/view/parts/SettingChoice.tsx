@@ -1,4 +1,5 @@
 // A setting: one of a few words.
+import type { ComponentChildren } from "preact";
 import { Choice } from "./Choice.tsx";
 
 export function SettingChoice<Value extends string>({
@@ -11,7 +12,7 @@ export function SettingChoice<Value extends string>({
   onChoose,
 }: {
   name: string;
-  label: string;
+  label: ComponentChildren;
   choices: readonly Value[];
   chosen: Value;
   words: Record<Value, string>;

@@ -2,15 +2,13 @@
 import { useState } from "preact/hooks";
 import type { ReadReport } from "../../engine.ts";
 import { presetOf } from "../../model/conventions.ts";
-import type { Digits, Preset } from "../../model/page_state.ts";
+import { type Digits, type Preset, presetChoices } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { wordsOf } from "../../words/conventions.ts";
 import * as words from "../../words/read/column.ts";
 import { Choice } from "../parts/Choice.tsx";
 import { CaseLinks } from "./CaseLinks.tsx";
 import { ConventionColumn } from "./Column.tsx";
-
-const presets = ["hamilton", "jpl"] as const satisfies readonly Preset[];
 
 export function Columns({
   report,
@@ -33,14 +31,14 @@ export function Columns({
         kind="choice"
         group="column"
         legend={words.shownColumn}
-        values={presets.map((preset) => ({
+        values={presetChoices.map((preset) => ({
           value: preset,
           words: <span>{wordsOf[preset].name}</span>,
         }))}
         chosen={shown}
         choose={(preset) => ask({ shown: preset, declared })}
       />
-      {presets.map((preset) => (
+      {presetChoices.map((preset) => (
         <ConventionColumn
           key={preset}
           store={store}

@@ -1,6 +1,5 @@
 // What no convention changes: the rotation itself.
 import { negates } from "../../action/fixes.ts";
-
 import { turnValues } from "../../copy/values.ts";
 import type { ReadReport } from "../../engine.ts";
 import type { Digits } from "../../model/page_state.ts";

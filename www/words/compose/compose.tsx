@@ -76,6 +76,5 @@ export const turns = (first: Symbols, other: Symbols) => (
   </>
 );
 
-export const spokenConvention = "your convention";
 export const spokenProduct = (convention: string, numbers: readonly string[]) =>
   `Result: p times q in ${convention}: ${numbers.join(", ")}.`;

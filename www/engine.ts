@@ -66,8 +66,9 @@ const small: EitherCore = {
 /** The views that the core of the first load answers. */
 export const smallViews: Engine["views"] = ["read", "compose"];
 
-export async function loadSmallEngine(): Promise<Engine> {
-  await loadSmall({ module_or_path: smallUrl });
+/** The bytes of the core are given where there is no server to fetch them from. */
+export async function loadSmallEngine(core: string | BufferSource = smallUrl): Promise<Engine> {
+  await loadSmall({ module_or_path: core });
   return {
     views: smallViews,
     libraries: [],

@@ -43,7 +43,11 @@ const mayUse = {
   // Read, Compose, Translate, Libraries, Identify; a view that comes is a folder beside them.
   "view/*": [...parts, "file", "worker"],
   "view/frame": [...parts, "view/*"],
-  "main.tsx": [...parts, "view/frame", "style.css"],
+  "main.ts": [...parts, "view/frame", "style.css"],
+  // The page as HTML, at build.
+  "prerender.tsx": [...ground, "state", "view/frame"],
+  "first.js": [],
+  // It imports none: it has Vite load them.
   tasks: [],
   "service_worker.js": [],
   "vite.config.ts": ["tasks"],

@@ -6,13 +6,14 @@ import { root } from "./shell.mjs";
 
 const folder = join(root, "dist", "page");
 const smallCore = /^quatlas_small_bg-/;
+/** What first.js may preload. */
+const sleepingLink = /<link data-[^>]*>/g;
 const font = /\.woff2$/;
 
 /** What a bare address loads before it is idle, what may follow, and the fonts, which do not compress. */
 export function partsOfPage() {
-  const html = readFileSync(join(folder, "index.html"), "utf8");
-  const isFirst = (file) =>
-    smallCore.test(file) || html.includes(`./assets/${file}"`) || html.includes(`src="./${file}"`);
+  const html = readFileSync(join(folder, "index.html"), "utf8").replace(sleepingLink, "");
+  const isFirst = (file) => smallCore.test(file) || html.includes(`./assets/${file}"`);
   const files = readdirSync(join(folder, "assets")).map((file) => ({
     ...part(join("assets", file), nameOf(file)),
     file,

@@ -4,6 +4,7 @@ import { test as base, expect, type Locator, type Page } from "@playwright/test"
 
 export const test = base.extend<{ page: Page }>({
   page: async ({ page, baseURL }, use) => {
+    waitForProgram(page);
     const errors: string[] = [];
     const foreign: string[] = [];
     page.on("console", (message) => {
@@ -20,6 +21,25 @@ export const test = base.extend<{ page: Page }>({
     expect(foreign, "requests that leave the origin").toEqual([]);
   },
 });
+
+/** Resolves once the program is in the page, which shows its example before. */
+export const started = (page: Page) =>
+  page.waitForFunction(() => document.querySelector("[data-starting]") === null);
+
+/** A page that is opened is there with its program, but where only its answer is waited for. */
+function waitForProgram(page: Page) {
+  const { goto, reload } = page;
+  page.goto = async (...given) => {
+    const answer = await goto.apply(page, given);
+    if (given[1]?.waitUntil !== "commit") await started(page);
+    return answer;
+  };
+  page.reload = async (...given) => {
+    const answer = await reload.apply(page, given);
+    await started(page);
+    return answer;
+  };
+}
 
 const minus = "−";
 

@@ -1,16 +1,17 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import "./style.css";
-import { render } from "preact";
 import { startPasting } from "./action/paste.ts";
 import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
 import { holdWhileTyping, releaseOnLeaving } from "./dom/hold.ts";
+import { keepLetters } from "./dom/letters.ts";
+import { lookAtPlatform } from "./dom/platform.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
 import { createStore } from "./state/store.ts";
 import { beginWith, loadFile } from "./view/frame/lazy_views.ts";
-import { Page } from "./view/frame/Page.tsx";
+import { mount } from "./view/frame/mount.tsx";
 import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 
 const root = document.getElementById("page");
@@ -20,8 +21,8 @@ restoreAddress();
 beginWith(fromFragment(location.hash).view).then(
   (engine) => {
     const store = createStore(engine, location.hash, rememberedNumbers);
-    root.replaceChildren();
-    render(<Page store={store} />, root);
+    mount(store, root);
+    lookAtPlatform();
     keepAddress(store);
     releaseOnLeaving();
     holdWhileTyping();
@@ -32,11 +33,15 @@ beginWith(fromFragment(location.hash).view).then(
     startPasting(store);
     // The other view of the same core opens at once.
     whenIdle(() => loadFile("compose"));
+    whenIdle(keepLetters);
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
     const words = isForbidden(error) ? coreForbidden : coreNotLoaded;
-    root.querySelector("[data-loading]")?.replaceChildren(words(String(error)));
+    const line = document.querySelector("[data-loading]");
+    line?.classList.add("failure");
+    line?.setAttribute("role", "alert");
+    line?.replaceChildren(words(String(error)));
   },
 );
 

@@ -1,7 +1,16 @@
 // What the page loads, when, and how much of it; and that nothing moves meanwhile.
 import { type Page, test as plainTest } from "@playwright/test";
 import { gzipTotal, partsOfPage } from "../../www/tasks/page_parts.mjs";
-import { expect, matrix, numbersOf, part, quaternionField, tab, test } from "./support/page.ts";
+import {
+  expect,
+  haveNoLetters,
+  matrix,
+  numbersOf,
+  part,
+  quaternionField,
+  tab,
+  test,
+} from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 204_700;
@@ -78,6 +87,7 @@ function requested(page: Page): string[] {
 const afterResult = [
   ...["ReadPicture.js", "ComposePicture.js", "ComposePicture.css", "save.js", "case_title.js"],
   ...["FoldedBody.js", "FoldedBody.css", "Compose.js", "Compose.css"],
+  ...["AxesPanel.js", "axes_panel.js", "axes_panel.css", "RulesList.js", "RulesList.css"],
   ...["offline.js", "offline.css", "favicon.svg"],
 ];
 
@@ -119,8 +129,16 @@ test("the whole core takes over what was typed for the small one", async ({ page
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual(before);
 });
 
-for (const width of [1280, 390]) {
-  test(`nothing moves while the page loads and is typed into, ${width} wide`, async ({ page }) => {
+for (const [width, letters] of [
+  [1280, "its letters"],
+  [390, "its letters"],
+  [1280, "those of the system"],
+  [390, "those of the system"],
+] as const) {
+  test(`nothing moves while the page loads and is typed into, ${width} wide in ${letters}`, async ({
+    page,
+  }) => {
+    if (letters === "those of the system") await haveNoLetters(page);
     // So high that nothing moves out of sight.
     await page.setViewportSize({ width, height: 2400 });
     await page.addInitScript(watchShifts);

@@ -1,6 +1,15 @@
 // The page before its program: the opening example stands in the HTML, and nothing done with it is lost.
 import { type Page, test as unwatched } from "@playwright/test";
-import { expect, matrix, numbersOf, quaternionField, started, tab, test } from "./support/page.ts";
+import {
+  expect,
+  haveNoLetters,
+  matrix,
+  numbersOf,
+  quaternionField,
+  started,
+  tab,
+  test,
+} from "./support/page.ts";
 
 const example = [0.707107, -0.707107, 0, 0.707107, 0.707107, 0, 0, 0, 1];
 const quarterTurn = [0, -1, 0, 1, 0, 0, 0, 0, 1];
@@ -271,23 +280,8 @@ test("the core is asked for before the program is there, once, and the right one
   }
 });
 
-/** The page is so long on its way. */
-function beAway(page: Page, answerMs: number) {
-  return page.addInitScript((answerMs) => {
-    Object.defineProperty(PerformanceNavigationTiming.prototype, "responseStart", {
-      get(this: PerformanceNavigationTiming) {
-        return this.requestStart + answerMs;
-      },
-    });
-  }, answerMs);
-}
-
-const isPlex = (page: Page) => page.evaluate(() => document.fonts.check("16px 'IBM Plex Sans'"));
-
-test("the letters come after the result where the line is slow, and are there the next time", async ({
-  page,
-}) => {
-  await beAway(page, 1000);
+test("the letters come after the result where the line is slow", async ({ page }) => {
+  await haveNoLetters(page);
   const asked: string[] = [];
   page.on("request", (request) => {
     if (request.url().endsWith(".woff2")) asked.push(request.url());
@@ -298,19 +292,34 @@ test("the letters come after the result where the line is slow, and are there th
   await start();
   await page.waitForFunction(() => localStorage.getItem("quatlas-letters") === "kept");
   expect(asked).toHaveLength(4);
+  // They would move what is read already.
   expect(await page.evaluate(() => document.fonts.size)).toBe(0);
-  await page.reload();
-  await expect(page.locator("html")).not.toHaveAttribute("data-letters");
-  expect(await isPlex(page)).toBe(true);
 });
 
-test("where the line is near the letters are there with the numbers", async ({ page }) => {
-  await beAway(page, 20);
+const faces = (page: Page) =>
+  page.evaluate(() => [...document.fonts].map(({ status }) => status).join(" "));
+
+test("the letters are there with the numbers where the browser has them", async ({ page }) => {
   await page.goto("/");
   await expect(page.locator("html")).not.toHaveAttribute("data-letters");
-  const faces = () => page.evaluate(() => [...document.fonts].map(({ status }) => status));
-  await expect.poll(faces).toEqual(["loaded", "loaded", "loaded", "loaded"]);
+  expect(await faces(page)).toBe("loaded loaded loaded loaded");
 });
+
+unwatched(
+  "the letters are asked for at once where the page was answered at once",
+  async ({ page }) => {
+    await page.addInitScript(() => {
+      Object.defineProperty(PerformanceNavigationTiming.prototype, "responseStart", {
+        get(this: PerformanceNavigationTiming) {
+          return this.requestStart + 20;
+        },
+      });
+    });
+    const start = await openWithoutProgram(page, "/");
+    await expect.poll(() => faces(page)).toBe("loaded loaded loaded loaded");
+    await start();
+  },
+);
 
 unwatched("a core that does not come leaves the example, and what was typed", async ({ page }) => {
   await page.route("**/quatlas_small_bg-*.wasm", (route) => route.abort());

@@ -5,6 +5,7 @@ import { test as base, expect, type Locator, type Page } from "@playwright/test"
 export const test = base.extend<{ page: Page }>({
   page: async ({ page, baseURL }, use) => {
     waitForProgram(page);
+    await page.addInitScript(haveLetters);
     const errors: string[] = [];
     const foreign: string[] = [];
     page.on("console", (message) => {
@@ -36,9 +37,32 @@ function waitForProgram(page: Page) {
   };
   page.reload = async (...given) => {
     const answer = await reload.apply(page, given);
-    await started(page);
+    if (given[0]?.waitUntil !== "commit") await started(page);
     return answer;
   };
+}
+
+/** As for who was here before: the page waits for its letters, however slow the machine is. */
+function haveLetters() {
+  try {
+    localStorage.setItem("quatlas-letters", "kept");
+  } catch {
+    // On an empty page there is no storage.
+  }
+}
+
+/** As on a slow line at the first visit: the page is written in the letters of the system. */
+export function haveNoLetters(page: Page) {
+  return page.addInitScript(() => {
+    try {
+      localStorage.removeItem("quatlas-letters");
+    } catch {}
+    Object.defineProperty(PerformanceNavigationTiming.prototype, "responseStart", {
+      get(this: PerformanceNavigationTiming) {
+        return this.requestStart + 1000;
+      },
+    });
+  });
 }
 
 const minus = "−";

@@ -32,8 +32,13 @@ export type Describe = (
   convention: Convention,
 ) => ConventionDescription & { preset: "hamilton" | "jpl" | undefined };
 
-/** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
+/**
+ * The small core answers Read and Compose for what most people type, and the page begins with it; the whole
+ * core answers all, and never otherwise than the small one where that one has an answer.
+ */
 export interface Engine {
+  /** Whether a text with a problem has one for quatlas, and not for the small core alone. */
+  isWhole: boolean;
   views: readonly Request["view"][];
   /** What libraries do, in the order of the table; only the whole core has it. */
   libraries: readonly Library[];
@@ -70,6 +75,7 @@ export const smallViews: Engine["views"] = ["read", "compose"];
 export async function loadSmallEngine(core: string | BufferSource = smallUrl): Promise<Engine> {
   await loadSmall({ module_or_path: core });
   return {
+    isWhole: false,
     views: smallViews,
     libraries: [],
     standardProbes: [],
@@ -105,6 +111,7 @@ async function fetchWholeEngine(): Promise<Engine> {
   const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
   const call = calling(whole);
   return {
+    isWhole: true,
     views: [...smallViews, "translate", "identify"],
     libraries: JSON.parse(librariesJson()),
     standardProbes: standardProbes(),

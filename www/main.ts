@@ -1,6 +1,7 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import "./style.css";
 import { startPasting } from "./action/paste.ts";
+import { readOn, readOnWhereNeeded } from "./action/read_on.ts";
 import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
@@ -19,9 +20,12 @@ if (root === null) throw new Error("index.html has no element #page");
 
 restoreAddress();
 beginWith(fromFragment(location.hash).view).then(
-  (engine) => {
+  async (engine) => {
     const store = createStore(engine, location.hash, rememberedNumbers);
+    // Of a link that the first core cannot read the frame stays until the whole one has.
+    if (store.mayBeRead.peek()) await readOn(store);
     mount(store, root);
+    readOnWhereNeeded(store);
     lookAtPlatform();
     keepAddress(store);
     releaseOnLeaving();

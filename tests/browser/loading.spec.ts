@@ -202,3 +202,72 @@ plainTest("a view that cannot be loaded says so, and is loaded on request", asyn
   await tab(page, "Libraries").click();
   await expect(page.getByText("ij = −k and yet not JPL")).toBeVisible();
 });
+
+test("what the first core cannot read the whole one reads, and until then nothing is said", async ({
+  page,
+}) => {
+  await page.goto("./");
+  let allow = () => {};
+  const allowed = new Promise<void>((resolve) => {
+    allow = resolve;
+  });
+  await page.route("**/quatlas_bg-*.wasm", async (route) => {
+    await allowed;
+    await route.continue();
+  });
+  await quaternionField(page).fill("0.6 0 0 oops");
+  await expect(page.getByText("Reading …")).toBeVisible();
+  await expect(page.locator(".problem")).toHaveCount(0);
+  await expect(page.locator(".result")).toHaveClass(/old/);
+  // What the first core reads it still answers.
+  await quaternionField(page).fill("0 0 0.6 0.8");
+  await expect(page.getByText("Reading …")).toHaveCount(0);
+  await expect(page.locator(".result")).toHaveClass(/current/);
+  await quaternionField(page).fill("Quaternionf(0.8, 0, 0, 0.6");
+  await expect(page.getByText("Reading …")).toBeVisible();
+  allow();
+  await expect(page.locator(".problem")).toContainText("is never closed");
+  await expect(page.getByText("Reading …")).toHaveCount(0);
+});
+
+plainTest(
+  "where the whole core does not come the kind and the place of a problem are told",
+  async ({ page }) => {
+    await page.route("**/quatlas_bg-*.wasm", (route) => route.abort());
+    await page.goto("./#read?quaternion=0.6+0+0+oops");
+    const problem = page.locator(".problem");
+    await expect(problem).toContainText("unknown-word");
+    await expect(page.locator("mark")).toHaveText("oops");
+    await expect(quaternionField(page)).toHaveValue("0.6 0 0 oops");
+    await page.unroute("**/quatlas_bg-*.wasm");
+    await problem.getByRole("button", { name: "try again" }).click();
+    await expect(problem).toContainText("Expected:");
+  },
+);
+
+test("of a link that only the whole core reads nothing but its answer is shown", async ({
+  page,
+}) => {
+  const cores: string[] = [];
+  page.on("request", (request) => {
+    const core = /quatlas_(?:small_)?bg/.exec(request.url());
+    if (core) cores.push(core[0]);
+  });
+  await page.addInitScript(() => {
+    const seen = new Set<string>();
+    Object.assign(globalThis, { seen });
+    new MutationObserver(() => {
+      const isShown = document.documentElement.dataset["case"] === undefined;
+      const field = document.querySelector("textarea");
+      const result = document.querySelector(".result");
+      if (isShown && field && result) seen.add(`${field.value}: ${result.className}`);
+    }).observe(document, { subtree: true, childList: true, attributes: true });
+  });
+  await page.goto("./#read?quaternion=Rotation.from_quat([0,0,0.6,0.8])");
+  await expect(page.locator(".result")).toHaveClass(/current/);
+  expect(cores).toEqual(["quatlas_small_bg", "quatlas_bg"]);
+  const seen = await page.evaluate(() => [
+    ...(globalThis as unknown as { seen: Set<string> }).seen,
+  ]);
+  expect(seen).toEqual(["Rotation.from_quat([0,0,0.6,0.8]): result current"]);
+});

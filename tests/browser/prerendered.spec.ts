@@ -109,7 +109,8 @@ async function settled(page: Page) {
       const attributes = [...element.attributes]
         // What HTML says of a field at first a program says as its value.
         .filter(({ name }) => !["value", "checked", "selected", "style"].includes(name))
-        .map(({ name, value }) => `${name}=${value}`);
+        // Ids are given in the order in which parts come.
+        .map(({ name, value }) => `${name}=${value.replace(/^P\d+-\d+$/, "P")}`);
       const field = element as HTMLInputElement;
       const own = [...element.childNodes]
         .filter((node) => node.nodeType === Node.TEXT_NODE && element.tagName !== "TEXTAREA")

@@ -89,26 +89,40 @@ export function loadWholeEngine(): Promise<Engine> {
 }
 
 async function fetchWholeEngine(): Promise<Engine> {
+  const [whole, { default: libraries }] = await Promise.all([
+    loadWholeCore(),
+    import("../src/library/libraries.json"),
+  ]);
+  const call = calling(whole);
+  return {
+    views: [...smallViews, "translate", "identify"],
+    libraries: libraries as Library[],
+    standardProbes: whole.standardProbes(),
+    ...answersOf(whole, call),
+    describeLibrary: remembered((id) => call(() => whole.describeLibrary(id))),
+  };
+}
+
+async function loadWholeCore() {
   const {
-    default: loadWhole,
+    default: load,
     analyze,
     describeConvention,
     describeLibrary,
-    librariesJson,
     readNumber,
     standardProbes,
     startAnew,
     takePanicMessage,
   } = await import("../pkg/quatlas.js");
-  await loadWhole({ module_or_path: wholeUrl });
-  const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
-  const call = calling(whole);
+  await load({ module_or_path: wholeUrl });
   return {
-    views: [...smallViews, "translate", "identify"],
-    libraries: JSON.parse(librariesJson()),
-    standardProbes: standardProbes(),
-    ...answersOf(whole, call),
-    describeLibrary: remembered((id) => call(() => describeLibrary(id))),
+    analyze,
+    describeConvention,
+    describeLibrary,
+    readNumber,
+    standardProbes,
+    startAnew,
+    takePanicMessage,
   };
 }
 

@@ -295,7 +295,7 @@ fn labels(directions: &[Direction]) -> Vec<Labels> {
 
 /// The records that agree, those that say most first.
 fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
-    let mut found: Vec<LibraryMatch> = essentials()
+    let found: Vec<LibraryMatch> = essentials()
         .iter()
         .filter(|library| {
             possible
@@ -307,8 +307,13 @@ fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
             unestablished: library.unestablished(),
         })
         .collect();
-    found.sort_by_key(|library| library.unestablished.len());
-    found
+    // Few may be missing, and a sort would add 2 kB to the wasm.
+    let with = |missing| {
+        let found = found.iter();
+        found.filter(move |library| library.unestablished.len() == missing)
+    };
+    let most = BehaviourAxis::ALL.len();
+    (0..=most).flat_map(with).cloned().collect()
 }
 
 /// The probes that may be proposed; of equally good ones the first is.

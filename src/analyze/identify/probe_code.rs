@@ -1,5 +1,6 @@
 //! Probes as lines of code to paste, with names that stand for the library's own.
 
+use crate::analyze::plain_numbers::is_decimal;
 use crate::contract::probe::Probe;
 use crate::library::Language;
 use crate::problem::is_too_long;
@@ -161,8 +162,7 @@ pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
         let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
         let numbers = text.split(separators).filter(|part| !part.is_empty());
         let written = numbers.map(|number| {
-            number.parse::<f64>().ok()?;
-            Some(match language {
+            is_decimal(number).then(|| match language {
                 Language::Rust if !number.contains('.') => format!("{number}.0"),
                 _ => number.to_owned(),
             })

@@ -73,6 +73,33 @@ fn a_line_that_is_nothing_but_an_array_has_the_order_of_its_end() {
     }
 }
 
+/// With a point or an exponent, and no digit more than it takes, in the wasm as natively.
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_of_a_line_are_written_as_doubles() {
+    let written = [
+        ("0", "0.0"),
+        ("1", "1.0"),
+        ("-20", "-20.0"),
+        ("0.1", "0.1"),
+        ("0.30000000000000004", "0.30000000000000004"),
+        ("0.0001", "0.0001"),
+        ("0.00009999999999999999", "9.999999999999999e-5"),
+        ("-0.00001", "-1e-5"),
+        ("1.5e-7", "1.5e-7"),
+        ("123456789012345.6", "123456789012345.6"),
+        ("9999999999999998", "9999999999999998.0"),
+        ("1e16", "1e16"),
+        ("-1234567890123456789012", "-1.2345678901234568e21"),
+        ("2.5e200", "2.5e200"),
+    ];
+    for (number, expected) in written {
+        let text = format!("w: 1, x: {number}, y: 0, z: 1");
+        let line = between(&text, "eigen", "eigen").to.construct;
+        let expected = format!("Eigen::Quaterniond q(1.0, {expected}, 0.0, 1.0);");
+        assert_eq!(line, Some(expected));
+    }
+}
+
 fn marked(text: &str, from: &str) -> (ProblemCode, String) {
     let [problem] = &problems_at(text, from)[..] else {
         panic!("{text}: one problem is expected")

@@ -46,7 +46,7 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 610,
   "phrases.js": 220,
   "quatlas.js": 2_730,
-  "quatlas_bg.wasm": 199_360,
+  "quatlas_bg.wasm": 198_900,
   "save.js": 7_820,
   "service_worker.js": 4_140,
 };

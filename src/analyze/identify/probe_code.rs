@@ -145,15 +145,15 @@ const TURN: &str = "turn the body by +90 degrees about the vertical z axis of th
 pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
     let idiom = match language {
         // A message has no calls; Python is what most of its tools are written in.
-        Language::Python | Language::Message => PYTHON,
-        Language::C => C,
-        Language::Cpp => CPP,
-        Language::Csharp => CSHARP,
-        Language::Java => JAVA,
-        Language::Javascript => JAVASCRIPT,
-        Language::Matlab => MATLAB,
-        Language::Rust => RUST,
-        Language::Swift => SWIFT,
+        Language::Python | Language::Message => &PYTHON,
+        Language::C => &C,
+        Language::Cpp => &CPP,
+        Language::Csharp => &CSHARP,
+        Language::Java => &JAVA,
+        Language::Javascript => &JAVASCRIPT,
+        Language::Matlab => &MATLAB,
+        Language::Rust => &RUST,
+        Language::Swift => &SWIFT,
     };
     let list = |text: &str, count: usize| {
         if is_too_long(text) {

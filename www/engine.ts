@@ -35,7 +35,7 @@ export type Describe = (
 /** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
 export interface Engine {
   views: readonly Request["view"][];
-  /** What libraries do, in the order of the table; only the whole core has it. */
+  /** What libraries do, in the order of the table; it comes with the whole core. */
   libraries: readonly Library[];
   /** The probes that are proposed, one of each kind; only the whole core has them. */
   standardProbes: readonly Probe[];

@@ -58,7 +58,7 @@ impl InRust for String {
     }
 }
 
-impl<Value: InRust> InRust for Option<Value> {
+impl<Inner: InRust> InRust for Option<Inner> {
     fn in_rust(&self) -> String {
         match self {
             None => "None".to_owned(),
@@ -67,7 +67,7 @@ impl<Value: InRust> InRust for Option<Value> {
     }
 }
 
-impl<Value: InRust> InRust for Vec<Value> {
+impl<Inner: InRust> InRust for Vec<Inner> {
     fn in_rust(&self) -> String {
         let values: Vec<String> = self.iter().map(InRust::in_rust).collect();
         format!("&[{}]", values.join(", "))

@@ -81,6 +81,7 @@ pub struct Library {
     /// What people call it.
     pub name: &'static str,
     /// Other words that find it.
+    // In TypeScript a member with a default may be missing, as it may in the file.
     #[serde(default)]
     pub words: &'static [&'static str],
     /// The field it comes from.

@@ -40,7 +40,7 @@ export interface Engine {
   /** Whether a text with a problem has one for quatlas, and not for the small core alone. */
   isWhole: boolean;
   views: readonly Request["view"][];
-  /** What libraries do, in the order of the table; only the whole core has it. */
+  /** What libraries do, in the order of the table; it comes with the whole core. */
   libraries: readonly Library[];
   /** The probes that are proposed, one of each kind; only the whole core has them. */
   standardProbes: readonly Probe[];
@@ -96,27 +96,40 @@ export function loadWholeEngine(): Promise<Engine> {
 }
 
 async function fetchWholeEngine(): Promise<Engine> {
+  const [whole, { default: libraries }] = await Promise.all([
+    loadWholeCore(),
+    import("../src/library/libraries.json"),
+  ]);
+  const call = calling(whole);
+  return {
+    views: [...smallViews, "translate", "identify"],
+    libraries: libraries as Library[],
+    standardProbes: whole.standardProbes(),
+    ...answersOf(whole, call),
+    describeLibrary: remembered((id) => call(() => whole.describeLibrary(id))),
+  };
+}
+
+async function loadWholeCore() {
   const {
-    default: loadWhole,
+    default: load,
     analyze,
     describeConvention,
     describeLibrary,
-    librariesJson,
     readNumber,
     standardProbes,
     startAnew,
     takePanicMessage,
   } = await import("../pkg/quatlas.js");
-  await loadWhole({ module_or_path: wholeUrl });
-  const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
-  const call = calling(whole);
+  await load({ module_or_path: wholeUrl });
   return {
-    isWhole: true,
-    views: [...smallViews, "translate", "identify"],
-    libraries: JSON.parse(librariesJson()),
-    standardProbes: standardProbes(),
-    ...answersOf(whole, call),
-    describeLibrary: remembered((id) => call(() => describeLibrary(id))),
+    analyze,
+    describeConvention,
+    describeLibrary,
+    readNumber,
+    standardProbes,
+    startAnew,
+    takePanicMessage,
   };
 }
 

@@ -102,6 +102,7 @@ async function fetchWholeEngine(): Promise<Engine> {
   ]);
   const call = calling(whole);
   return {
+    isWhole: true,
     views: [...smallViews, "translate", "identify"],
     libraries: libraries as Library[],
     standardProbes: whole.standardProbes(),

@@ -32,9 +32,10 @@ async function startChromium() {
     await page.addInitScript(watch, watched);
     const received = await throttle(await context.newCDPSession(page), line);
     await page.goto(address);
-    // What follows by itself may move something too.
     await page.evaluate(tell);
-    await page.waitForLoadState("networkidle");
+    // What follows by itself may move something too.
+    await page.evaluate(idle);
+    while (await isReceiving(received)) {}
     const { startMs, ...seen } = await page.evaluate(tell);
     await context.close();
     const bytesUntil = (endMs) =>
@@ -84,6 +85,16 @@ async function throttle(session, { network, processor }) {
   });
   return received;
 }
+
+/** Whether something arrives in half a second. */
+async function isReceiving(received) {
+  const { length } = received;
+  await pause(500);
+  return received.length > length;
+}
+
+/** To be run in the page. */
+const idle = () => new Promise((resolve) => requestIdleCallback(() => resolve()));
 
 /** To be run in the page. */
 const tell = async () => ({ ...(await globalThis.seen), startMs: performance.timeOrigin });

@@ -23,7 +23,8 @@ const lines = [
     processor: { timesSlower: 4 },
     goals: { matrixMs: 0.35, heardMs: 0.7, liveMs: 0.7 },
   },
-  { name: "fast line", goals: { heardMs: 1.1, liveMs: 1.1 } },
+  // More times, as these are short and differ more.
+  { name: "fast line", times: 3, goals: { heardMs: 1.1, liveMs: 1.1 } },
 ];
 
 /** As long as the text of the opening, so that nothing moves; its matrix is that of 60° about z. */
@@ -57,7 +58,7 @@ await main(async () => {
     const isThrottling = engine.throttles && throttle === "browser";
     for (const line of lines.filter(({ processor }) => isThrottling || !processor)) {
       const title = `${name}, ${line.name}`;
-      say(`${title}: ${runs} runs of each`);
+      say(title);
       const visit = async (page) => {
         const site = await serve(answers[page], isThrottling ? undefined : line.network);
         const seen = await engine.load(site.address, { watched, line: isThrottling ? line : {} });
@@ -65,13 +66,14 @@ await main(async () => {
         if (seen.liveMs === undefined) throw new Stop(`${title}: no answer to what was typed`);
         return seen;
       };
-      const results = resultsOf(await pairsOf(runs, visit), line.goals);
-      console.table(Object.fromEntries(results.map(({ words, row }) => [words, row])));
+      const results = resultsOf(await pairsOf(runs * (line.times ?? 1), visit), line.goals);
+      console.log(`\n${tableOf(["", BASELINE, "this tree", "ratio", "goal"], rowsOf(results))}\n`);
       columns.push({ title, results });
     }
     await engine.close();
   }
-  console.log(asMarkdown(columns));
+  const head = [`this tree / ${BASELINE}`, ...columns.map(({ title }) => title)];
+  console.log(tableOf(head, measures.map(keptOf(columns))));
 });
 
 function chosen() {
@@ -110,7 +112,7 @@ async function pairsOf(runs, visit) {
   return pairs.slice(1);
 }
 
-/** Each measure as a row, with what is kept of it: the ratio, or the most, and the goal. */
+/** What was measured, and what of it is kept: the ratio, or the most, and what became of the goal. */
 function resultsOf(pairs, goals) {
   const isMeasured = ({ of }) => pairs[0].now[of] !== undefined;
   return measures.filter(isMeasured).map(({ of, words, most }) => {
@@ -118,21 +120,32 @@ function resultsOf(pairs, goals) {
     const now = spread(pairs.map(({ now }) => now[of]));
     // Of each pair: what else the machine does slows both of them.
     const ratio = spread(pairs.map(({ before, now }) => now[of] / before[of]));
-    const [value, goal] = most === undefined ? [ratio.median, goals[of]] : [now.most, most];
+    const isRatio = most === undefined;
+    const [value, goal] = isRatio ? [ratio.median, goals[of]] : [now.most, most];
     const outcome = goal === undefined ? "" : `${goal} ${value <= goal ? "met" : "missed"}`;
-    const kept = most === undefined ? value.toFixed(2) : String(value);
-    return {
-      words,
-      kept: outcome === "" ? kept : `${kept} (goal ${outcome})`,
-      row: {
-        [BASELINE]: told(before, most === undefined ? 0 : 4),
-        "this tree": told(now, most === undefined ? 0 : 4),
-        ratio: most === undefined ? told(ratio, 2) : "",
-        goal: outcome,
-      },
-    };
+    return { words, before, now, ratio, isRatio, value, outcome };
   });
 }
+
+const rowsOf = (results) =>
+  results.map(({ words, before, now, ratio, isRatio, outcome }) => {
+    const digits = isRatio ? 0 : 4;
+    return [words, told(before, digits), told(now, digits), isRatio ? told(ratio, 2) : "", outcome];
+  });
+
+/** A measure as a row with a cell for each engine and line. */
+const keptOf =
+  (columns) =>
+  ({ words }) => {
+    const cells = columns.map(({ results }) => {
+      const result = results.find((result) => result.words === words);
+      if (result === undefined) return "";
+      const { value, isRatio, outcome } = result;
+      const kept = isRatio ? value.toFixed(2) : String(value);
+      return outcome === "" ? kept : `${kept} (${outcome})`;
+    });
+    return [words.replace(", ms", ""), ...cells];
+  };
 
 function spread(numbers) {
   const sorted = numbers.toSorted((one, other) => one - other);
@@ -144,12 +157,13 @@ function told({ median, least, most }, digits) {
   return from === to ? middle : `${middle} (${from} to ${to})`;
 }
 
-/** What bench/README.md keeps. */
-function asMarkdown(columns) {
-  const keptOf = ({ words }) =>
-    columns.map(({ results }) => results.find((result) => result.words === words)?.kept ?? "");
-  const rows = measures.map((measure) => [measure.words.replace(", ms", ""), ...keptOf(measure)]);
-  const head = [`this tree / ${BASELINE}`, ...columns.map(({ title }) => title)];
-  const bars = head.map(() => "---");
-  return [head, bars, ...rows].map((cells) => `| ${cells.join(" | ")} |`).join("\n");
+/** A table of Markdown that can be read as it is. */
+function tableOf(head, rows) {
+  const all = [head, ...rows];
+  const widths = head.map((_, column) => Math.max(...all.map((cells) => cells[column].length)));
+  const [first, ...others] = all.map((cells) =>
+    cells.map((cell, column) => cell.padEnd(widths[column])),
+  );
+  const bars = widths.map((width) => "-".repeat(Math.max(3, width)));
+  return [first, bars, ...others].map((cells) => `| ${cells.join(" | ")} |`).join("\n");
 }

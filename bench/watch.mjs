@@ -68,13 +68,15 @@ export function watch({ typed, longestMs }) {
     setTimeout(() => settle(seen), longestMs);
     painted.onmessage = () => {
       look();
-      // Paint is told a little later than it is.
-      if (seen.liveMs !== undefined && seen.paintMs !== undefined) settle(seen);
+      // The first paint is told a little later, and nothing is seen before it.
+      if (seen.liveMs === undefined || seen.paintMs === undefined) return;
+      seen.matrixMs = Math.max(seen.matrixMs, seen.paintMs);
+      settle(seen);
     };
   });
   const eachFrame = () => {
     frame.postMessage("");
-    if (seen.liveMs === undefined) requestAnimationFrame(eachFrame);
+    if (seen.liveMs === undefined || seen.paintMs === undefined) requestAnimationFrame(eachFrame);
   };
   requestAnimationFrame(eachFrame);
 }

@@ -2,6 +2,7 @@
 // browsers, on a slow line and on a fast one. `npm start` or `npm test` builds this one first; then
 // `node bench/load.mjs`, with `--runs 15` for more runs of each, `--encoding br` for brotli, and
 // `--throttle server` where the server is to be the slow line of Chromium too, as it is of the others.
+import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
 import { parseArgs } from "node:util";
 import { BASELINE, baseline } from "../www/tasks/baseline.mjs";
@@ -51,6 +52,7 @@ await main(async () => {
   const { runs, encoding, throttle } = chosen();
   if (!exists("dist", "page")) throw new Stop("there is no page yet: npm start builds it");
   const folders = { before: await baseline(), now: root };
+  warnOfOtherWork();
   const columns = [];
   for (const name of await setUpEngines()) {
     const engine = await startEngine(name);
@@ -73,8 +75,14 @@ await main(async () => {
     await engine.close();
   }
   const head = [`this tree / ${BASELINE}`, ...columns.map(({ title }) => title)];
-  console.log(tableOf(head, measures.map(keptOf(columns))));
+  console.log(tableOf(head, keptRows(columns)));
 });
+
+function warnOfOtherWork() {
+  const [waiting] = loadavg();
+  if (waiting <= availableParallelism()) return;
+  say("this machine is busy with other things: only large differences mean something");
+}
 
 function chosen() {
   const text = (value) => ({ type: "string", default: value });
@@ -127,25 +135,24 @@ function resultsOf(pairs, goals) {
   });
 }
 
-const rowsOf = (results) =>
-  results.map(({ words, before, now, ratio, isRatio, outcome }) => {
+function rowsOf(results) {
+  return results.map(({ words, before, now, ratio, isRatio, outcome }) => {
     const digits = isRatio ? 0 : 4;
     return [words, told(before, digits), told(now, digits), isRatio ? told(ratio, 2) : "", outcome];
   });
+}
 
-/** A measure as a row with a cell for each engine and line. */
-const keptOf =
-  (columns) =>
-  ({ words }) => {
-    const cells = columns.map(({ results }) => {
-      const result = results.find((result) => result.words === words);
-      if (result === undefined) return "";
-      const { value, isRatio, outcome } = result;
-      const kept = isRatio ? value.toFixed(2) : String(value);
-      return outcome === "" ? kept : `${kept} (${outcome})`;
-    });
-    return [words.replace(", ms", ""), ...cells];
+/** A row for each measure, with a cell for each engine and line. */
+function keptRows(columns) {
+  const keptOf = ({ value, isRatio, outcome }) => {
+    const kept = isRatio ? value.toFixed(2) : String(value);
+    return outcome === "" ? kept : `${kept} (${outcome})`;
   };
+  return measures.map(({ words }) => {
+    const found = columns.map(({ results }) => results.find((result) => result.words === words));
+    return [words.replace(", ms", ""), ...found.map((result) => (result ? keptOf(result) : ""))];
+  });
+}
 
 function spread(numbers) {
   const sorted = numbers.toSorted((one, other) => one - other);

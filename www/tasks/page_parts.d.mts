@@ -2,9 +2,12 @@
 export interface Part {
   name: string;
   file: string;
+  path: string;
   bytes: number;
   gzip: number;
 }
+
+export const mediaTypes: Readonly<Record<string, string>>;
 
 export function partsOfPage(): { first: Part[]; lazy: Part[]; fonts: Part[] };
 

@@ -35,7 +35,7 @@ use crate::text::grammar::cursor::{
 use crate::text::grammar::key::key_ahead;
 use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
-use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
+use crate::text::grammar::tree::{CallsAreRead, Entry, Key, Lead, Node, NodeKind};
 use winnow::error::ErrMode;
 use winnow::prelude::*;
 use winnow::stream::Stateful;
@@ -357,8 +357,15 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
     let (arguments, span) = inside?;
     let span = token.span.to(span);
     if !Linear::is_function(name) {
+        let Some(read) = CallsAreRead::here() else {
+            return stop(Fault::unknown_word(span, name));
+        };
         return Ok(Node {
-            kind: NodeKind::Call { name, arguments },
+            kind: NodeKind::Call {
+                name,
+                arguments,
+                read,
+            },
             span,
         });
     }

@@ -218,14 +218,14 @@ pub struct Problem {
     pub field: Field,
     /// Where in that text: bytes in Rust, UTF-16 units in JavaScript.
     pub span: Span,
-    /// What is wrong, in one sentence.
+    /// What is wrong, in one sentence; without the feature `whole` it is empty, as are the next two.
     pub message: String,
     /// What was expected at that place.
     pub expected: String,
     /// What to try.
     pub hint: String,
     /// The text to write in its place, where that is certain; in the answers of
-    /// [`analyze`](fn@crate::analyze) only.
+    /// [`analyze`](fn@crate::analyze) only, and only with the feature `whole`.
     pub suggestion: Option<Box<Suggestion>>,
 }
 

@@ -13,7 +13,7 @@ import {
 } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 204_700;
+const firstBudget = 173_800;
 const lazyBudgets: Record<string, number> = {
   "Compose.css": 1_540,
   "Compose.js": 2_970,
@@ -55,7 +55,7 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 610,
   "phrases.js": 220,
   "quatlas.js": 2_730,
-  "quatlas_bg.wasm": 198_900,
+  "quatlas_bg.wasm": 193_400,
   "save.js": 7_820,
   "service_worker.js": 4_140,
 };

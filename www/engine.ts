@@ -71,9 +71,22 @@ const small: EitherCore = {
 /** The views that the core of the first load answers. */
 export const smallViews: Engine["views"] = ["read", "compose"];
 
+/** What first.js asked for before this script was there. */
+declare global {
+  var askedFirst: { url: string; answer: Promise<Response> } | undefined;
+}
+
+/** The answer that is on its way already, the first time; or else the address to ask for. */
+function askedFor(url: string): string | Promise<Response> {
+  const { askedFirst } = globalThis;
+  if (askedFirst?.url !== new URL(url, document.baseURI).href) return url;
+  globalThis.askedFirst = undefined;
+  return askedFirst.answer;
+}
+
 /** The bytes of the core are given where there is no server to fetch them from. */
-export async function loadSmallEngine(core: string | BufferSource = smallUrl): Promise<Engine> {
-  await loadSmall({ module_or_path: core });
+export async function loadSmallEngine(bytes?: BufferSource): Promise<Engine> {
+  await loadSmall({ module_or_path: bytes ?? askedFor(smallUrl) });
   return {
     isWhole: false,
     views: smallViews,
@@ -122,7 +135,7 @@ async function loadWholeCore() {
     startAnew,
     takePanicMessage,
   } = await import("../pkg/quatlas.js");
-  await load({ module_or_path: wholeUrl });
+  await load({ module_or_path: askedFor(wholeUrl) });
   return {
     analyze,
     describeConvention,

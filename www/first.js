@@ -41,22 +41,40 @@
   const isStarted = () => document.querySelector("[data-starting]") === null;
 
   showFrame();
+
+  // The core is on its way before the program is, which takes the answer (engine.ts). A browser would
+  // preload it too, and some then load it again.
   const core = ["translate", "identify", "libraries"].includes(dataset.case) ? "whole" : "small";
-  for (const link of document.querySelectorAll(`link[data-core=${core}]`)) link.rel = "preload";
+  const link = document.querySelector(`link[data-core=${core}]`);
+  if (link !== null) {
+    const answer = fetch(link.href);
+    // The program says why it does not come.
+    answer.catch(() => {});
+    globalThis.askedFirst = { url: link.href, answer };
+  }
 
   // The letters weigh as much as the program, and so they come later (dom/letters.ts) but where they hold
-  // nothing up: where this browser has them, or where the page itself was answered at once. Then they are
-  // there with the first paint, so that nothing moves.
+  // nothing up: where this browser has them, or where the page itself came at once. Then they are there with
+  // the first paint, or not in this visit, so that nothing moves.
   const atOnceMs = 100;
-  const isNear = visit !== undefined && visit.responseStart - visit.requestStart < atOnceMs;
+  const isNear = visit !== undefined && performance.now() - visit.requestStart < atOnceMs;
   const areKept = stored("localStorage", "quatlas-letters") === "kept";
-  if (isNear || areKept) {
-    for (const style of document.querySelectorAll("style[data-letters]")) style.media = "all";
+  const letters = document.querySelector("style[data-letters]");
+  if (letters !== null && (isNear || areKept)) {
+    letters.media = "all";
     dataset.letters = "coming";
-    const show = () => delete dataset.letters;
-    Promise.all([...document.fonts].map((face) => face.load())).then(show, show);
-    // Whatever becomes of them. What is kept comes.
-    setTimeout(show, areKept ? 1000 : 200);
+    const show = (media) => {
+      if (dataset.letters === undefined) return;
+      letters.media = media;
+      delete dataset.letters;
+    };
+    const faces = [...document.fonts].map((face) => face.load());
+    Promise.all(faces).then(
+      () => show("all"),
+      () => show("not all"),
+    );
+    // What is kept comes.
+    setTimeout(() => show("not all"), areKept ? 1000 : atOnceMs);
   }
 
   addEventListener("hashchange", () => {

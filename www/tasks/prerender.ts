@@ -57,7 +57,8 @@ function takeStyles(bundle: Bundle, file: string) {
   if (sheet?.type !== "asset") throw new Error(`the bundle has no ${file}`);
   delete bundle[sheet.fileName];
   const css = String(sheet.source).trim();
-  const face = /@font-face\s*\{[^}]*\}/g;
+  // Those of files; a face may also be one of the system.
+  const face = /@font-face\s*\{[^}]*url\([^}]*\}/g;
   // They were written for a sheet in the folder of assets.
   const faces = (css.match(face) ?? []).join("").replaceAll("url(./", "url(./assets/");
   return { faces, rules: css.replace(face, "") };
@@ -65,12 +66,11 @@ function takeStyles(bundle: Bundle, file: string) {
 
 /** The links to what is asked for in its time: the cores by first.js, the letters by it or by dom/letters.ts. */
 function sleepingLinks(bundle: Bundle): string {
-  const link = (file: string, mark: string, as: string) =>
-    `<link ${mark} href="./${file}" as="${as}" crossorigin>`;
+  const link = (file: string, mark: string) => `<link ${mark} href="./${file}">`;
   const links = Object.keys(bundle).flatMap((file) => {
-    if (file.includes("quatlas_small_bg")) return [link(file, 'data-core="small"', "fetch")];
-    if (file.includes("quatlas_bg")) return [link(file, 'data-core="whole"', "fetch")];
-    return file.endsWith(".woff2") ? [link(file, "data-letters", "font")] : [];
+    if (file.includes("quatlas_small_bg")) return [link(file, 'data-core="small"')];
+    if (file.includes("quatlas_bg")) return [link(file, 'data-core="whole"')];
+    return file.endsWith(".woff2") ? [link(file, "data-letters")] : [];
   });
   return links.join("");
 }

@@ -104,10 +104,11 @@ async function startOther(name) {
   const file = `${root}/tests/browser/engines/${name.toLowerCase()}.ts`;
   const { module } = await runnerImport(file, { configFile: false });
   const engine = await module[`start${name}`]();
-  const load = async (address) => {
+  const load = async (address, { watched }) => {
     await engine.open(address, viewport.width);
+    const endMs = performance.now() + watched.longestMs;
     // The driver of WebKit may take the end of the empty page before it for that of the page.
-    while (!(await engine.evaluate(isThere))) await pause(20);
+    while (!(await engine.evaluate(isThere)) && performance.now() < endMs) await pause(20);
     return engine.evaluate(tell);
   };
   return { throttles: false, load, close: () => engine.close() };

@@ -4,7 +4,7 @@ import { once } from "node:events";
 import { readdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join, relative, sep } from "node:path";
-import { encodings, mediaTypes } from "../www/tasks/page_parts.mjs";
+import { encodings, mediaTypeOf } from "../www/tasks/page_parts.mjs";
 
 /** These are compressed by themselves. */
 const compressed = [".woff2", ".png"];
@@ -21,13 +21,12 @@ export function answersOf(folder, encoding, prelude) {
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)));
   const answers = files.map((file) => {
     const path = `/${file.replaceAll(sep, "/")}`;
-    const type = extname(file);
     const bytes = readFileSync(join(folder, file));
     const isPage = path === "/index.html";
     const content = isPage && prelude !== undefined ? withPrelude(bytes, prelude) : bytes;
-    const isEncoded = !compressed.includes(type);
+    const isEncoded = !compressed.includes(extname(file));
     const headers = {
-      "content-type": mediaTypes[type] ?? "application/octet-stream",
+      "content-type": mediaTypeOf(file),
       "cache-control": "no-cache",
       ...(isEncoded && { "content-encoding": encoding }),
     };

@@ -7,7 +7,7 @@ export interface Part {
   gzip: number;
 }
 
-export const mediaTypes: Readonly<Record<string, string>>;
+export function mediaTypeOf(path: string): string;
 
 export function partsOfPage(): { first: Part[]; lazy: Part[]; fonts: Part[] };
 

@@ -1,6 +1,6 @@
 // The files of the built page and their sizes: those of the first load, and those that are loaded later.
 import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { extname, join } from "node:path";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { root } from "./shell.mjs";
 
@@ -10,8 +10,7 @@ const smallCore = /^quatlas_small_bg-/;
 const sleepingLink = /<link data-[^>]*>/g;
 const font = /\.woff2$/;
 
-/** What the files of a page are, by their ends. */
-export const mediaTypes = {
+const mediaTypes = {
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript",
   ".css": "text/css",
@@ -22,6 +21,9 @@ export const mediaTypes = {
   ".txt": "text/plain; charset=utf-8",
   ".webmanifest": "application/manifest+json",
 };
+
+/** What a file of the page is, by its end. */
+export const mediaTypeOf = (path) => mediaTypes[extname(path)] ?? "application/octet-stream";
 
 /** How hosts send a file, each as small as it can; the best quality of brotli is that of Node by default. */
 export const encodings = {

@@ -11,8 +11,8 @@ import {
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
-import { extname, join } from "node:path";
-import { mediaTypes } from "../../../www/tasks/page_parts.mjs";
+import { join } from "node:path";
+import { mediaTypeOf } from "../../../www/tasks/page_parts.mjs";
 import { writeServiceWorker } from "../../../www/tasks/precache.ts";
 
 const built = join(import.meta.dirname, "../../../dist/page");
@@ -29,7 +29,7 @@ export async function openSite() {
     const path = pathname.slice(subFolder.length) || "index.html";
     const content = pathname.startsWith(subFolder) ? read(join(folder, path)) : undefined;
     if (content === undefined) missing.push(pathname);
-    response.writeHead(content ? 200 : 404, { "Content-Type": mediaTypes[extname(path)] ?? "" });
+    response.writeHead(content ? 200 : 404, { "Content-Type": mediaTypeOf(path) });
     response.end(content);
   });
   await new Promise<void>((listening) => server.listen(0, "localhost", listening));

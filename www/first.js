@@ -1,8 +1,24 @@
-// Stands in the head of the page, and runs before its first paint and before any other script: the theme
-// chosen by hand, of which state/settings.ts does the rest; what is asked for first; whether the example in
-// the page is what the address shows; and what is said where no other script arrives that could say so.
+// Stands in the head of the page, and runs before its first paint and before any other script: what is asked
+// for first; the theme chosen by hand, of which state/settings.ts does the rest; whether the example in the
+// page is what the address shows; and what is said where no other script arrives that could say so.
 {
   const { dataset } = document.documentElement;
+  const [visit] = performance.getEntriesByType("navigation");
+  const cameMs = visit && performance.now() - visit.requestStart;
+
+  /** The view of the address, where it is not Read. */
+  const otherView = () => /^#(compose|translate|identify|libraries)/.exec(location.hash)?.[1];
+
+  // The core is on its way before the program is, which takes the answer (engine.ts). A browser would
+  // preload it too, and some then load it again.
+  const core = [undefined, "compose"].includes(otherView()) ? "small" : "whole";
+  const link = document.querySelector(`link[data-core=${core}]`);
+  if (link !== null) {
+    const answer = fetch(link.href);
+    // The program says why it does not come.
+    answer.catch(() => {});
+    globalThis.askedFirst = { url: link.href, answer };
+  }
 
   /** Nothing where storage is refused. */
   const stored = (storage, key) => {
@@ -12,55 +28,40 @@
       return null;
     }
   };
+  const remembered = (setting) => stored("localStorage", `quatlas-${setting}`);
 
-  const [visit] = performance.getEntriesByType("navigation");
-
-  const theme = stored("localStorage", "quatlas-theme");
+  const theme = remembered("theme");
   if (theme === "light" || theme === "dark") dataset.theme = theme;
+
+  /** Whether what was typed just before a reload, or before leaving, comes back. */
+  const comesBack = () =>
+    visit !== undefined &&
+    visit.type !== "navigate" &&
+    !/^$|"fragment":"read"}$/.test(stored("sessionStorage", "quatlas closing") ?? "");
 
   /** Whether the numbers in the page are those that the program will show. */
   const showsExample = () => {
-    // What was typed just before a reload comes back.
-    const closing = stored("sessionStorage", "quatlas closing") ?? "";
-    const isReturn = visit !== undefined && visit.type !== "navigate";
-    if (isReturn && !/^$|"fragment":"read"}$/.test(closing)) return false;
-    if (location.hash === "#read") return true;
-    if (location.hash !== "") return false;
-    const chosen = (setting, usual) =>
-      [null, usual].includes(stored("localStorage", `quatlas-${setting}`));
-    return chosen("digits", "6") && chosen("unit", "degrees");
+    if (comesBack()) return false;
+    if (location.hash !== "") return location.hash === "#read";
+    return (
+      [null, "6"].includes(remembered("digits")) && [null, "degrees"].includes(remembered("unit"))
+    );
   };
 
   /** Until the program is there, the frame of another case is empty. */
   const showFrame = () => {
     if (showsExample()) delete dataset.case;
-    else
-      dataset.case = /^#(compose|translate|identify|libraries)/.exec(location.hash)?.[1] ?? "read";
+    else dataset.case = otherView() ?? "read";
   };
-
-  const isStarted = () => document.querySelector("[data-starting]") === null;
-
   showFrame();
-
-  // The core is on its way before the program is, which takes the answer (engine.ts). A browser would
-  // preload it too, and some then load it again.
-  const core = ["translate", "identify", "libraries"].includes(dataset.case) ? "whole" : "small";
-  const link = document.querySelector(`link[data-core=${core}]`);
-  if (link !== null) {
-    const answer = fetch(link.href);
-    // The program says why it does not come.
-    answer.catch(() => {});
-    globalThis.askedFirst = { url: link.href, answer };
-  }
 
   // The letters weigh as much as the program, and so they come later (dom/letters.ts) but where they hold
   // nothing up: where this browser has them, or where the page itself came at once. Then they are there with
   // the first paint, or not in this visit, so that nothing moves.
   const atOnceMs = 100;
-  const isNear = visit !== undefined && performance.now() - visit.requestStart < atOnceMs;
-  const areKept = stored("localStorage", "quatlas-letters") === "kept";
+  const areKept = remembered("letters") === "kept";
   const letters = document.querySelector("style[data-letters]");
-  if (letters !== null && (isNear || areKept)) {
+  if (letters !== null && (areKept || cameMs < atOnceMs)) {
     letters.media = "all";
     dataset.letters = "coming";
     const show = (media) => {
@@ -77,27 +78,19 @@
     setTimeout(() => show("not all"), areKept ? 1000 : atOnceMs);
   }
 
-  addEventListener("hashchange", () => {
-    if (!isStarted()) showFrame();
+  const isStarted = () => document.querySelector("[data-starting]") === null;
+  const untilStarted = (type, does) =>
+    addEventListener(type, (event) => isStarted() || does(event), { capture: true });
+
+  untilStarted("hashchange", showFrame);
+  // The numbers are not those of what was typed.
+  untilStarted("input", () => {
+    dataset.waiting = "";
   });
-
-  // The numbers are not those of what was typed, until the program is there.
-  addEventListener(
-    "input",
-    () => {
-      if (!isStarted()) dataset.waiting = "";
-    },
-    { capture: true },
-  );
-
   // What is pressed is done when the program is there (dom/typed.ts).
-  addEventListener(
-    "click",
-    ({ target }) => {
-      if (!isStarted()) target.closest("button")?.setAttribute("data-pressed", "");
-    },
-    { capture: true },
-  );
+  untilStarted("click", ({ target }) => {
+    target.closest("button")?.setAttribute("data-pressed", "");
+  });
 
   const sayNotStarted = () => {
     if (isStarted()) return;
@@ -106,7 +99,6 @@
     line.hidden = false;
     line.querySelector("button").onclick = () => location.reload();
   };
-
   addEventListener(
     "error",
     ({ target }) => {

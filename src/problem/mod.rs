@@ -233,8 +233,14 @@ pub struct Problem {
     pub hint: String,
     /// The text to write in its place, where that is certain; in the answers of
     /// [`analyze`](fn@crate::analyze) only, and only with the feature `whole`.
-    #[cfg_attr(not(feature = "whole"), serde(skip_serializing))]
+    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "none"))]
     pub suggestion: Option<Box<Suggestion>>,
+}
+
+/// That there is no suggestion, without the code that writes one.
+#[cfg(not(feature = "whole"))]
+fn none<S: Serializer>(_: &Option<Box<Suggestion>>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_none()
 }
 
 impl fmt::Display for Problem {

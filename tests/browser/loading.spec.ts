@@ -13,7 +13,7 @@ import {
 } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 173_800;
+const firstBudget = 173_100;
 const lazyBudgets: Record<string, number> = {
   "Compose.css": 1_540,
   "Compose.js": 2_970,

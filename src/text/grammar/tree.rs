@@ -25,13 +25,13 @@ pub(crate) enum NodeKind<'t> {
     Word(&'t str),
 }
 
-/// That calls are read. Without the feature `whole` this cannot be made, so that there is no call either
-/// and the compiler leaves out all that is made of one.
+/// That calls are read.
 #[cfg(feature = "whole")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CallsAreRead;
 
-/// See above: they are not.
+/// That calls are read, which they are not: there is no value of this, so no call either, and the compiler
+/// leaves out all that is made of one.
 #[cfg(not(feature = "whole"))]
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum CallsAreRead {}

@@ -12,3 +12,5 @@ export function mediaTypeOf(path: string): string;
 export function partsOfPage(): { first: Part[]; lazy: Part[]; fonts: Part[] };
 
 export function gzipTotal(parts: readonly Part[]): number;
+
+export function brotliOf(part: Part): number;

@@ -83,10 +83,12 @@
     addEventListener(type, (event) => isStarted() || does(event), { capture: true });
 
   untilStarted("hashchange", showFrame);
-  // The numbers are not those of what was typed.
-  untilStarted("input", () => {
-    dataset.waiting = "";
-  });
+  // The numbers are not those of what was typed; a moment later they may be.
+  const momentMs = 200;
+  const showWaiting = () => {
+    if (!isStarted()) dataset.waiting = "";
+  };
+  untilStarted("input", () => setTimeout(showWaiting, momentMs));
   // What is pressed is done when the program is there (dom/typed.ts).
   untilStarted("click", ({ target }) => {
     target.closest("button")?.setAttribute("data-pressed", "");

@@ -36,7 +36,7 @@ const mayUse = {
   state: [...ground, "address"],
   // Sentences hold numbers.
   words: [...ground, "number"],
-  action: [...ground, "number", "state", "words"],
+  action: [...ground, "dom", "number", "state", "words"],
   copy: [...ground, "number", "address", "words"],
   picture: [...ground, "dom", "number", "state", "words"],
   "view/parts": parts,

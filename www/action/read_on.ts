@@ -1,5 +1,6 @@
 // What the core of the first load cannot read is read by the whole one.
 import { effect } from "@preact/signals";
+import { inPlace } from "../dom/hold.ts";
 import { loadWholeEngine } from "../engine.ts";
 import type { Store } from "../state/store.ts";
 
@@ -7,10 +8,20 @@ import type { Store } from "../state/store.ts";
 export async function readOn(store: Store) {
   store.wholeCore.value = "awaited";
   try {
-    store.useEngine(await loadWholeEngine());
+    const engine = await loadWholeEngine();
+    inEditedPlace(() => store.useEngine(engine));
   } catch {
-    store.wholeCore.value = "missing";
+    inEditedPlace(() => {
+      store.wholeCore.value = "missing";
+    });
   }
+}
+
+/** Whatever is said now of a number that is being edited, the number stays where it is. */
+function inEditedPlace(answer: () => void) {
+  const field = document.activeElement;
+  if (field instanceof HTMLInputElement && field.type === "text") inPlace(field, answer);
+  else answer();
 }
 
 /** Asks the whole core whenever there is a text that only it may read. */

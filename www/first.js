@@ -7,7 +7,8 @@
   const cameMs = visit && performance.now() - visit.requestStart;
 
   /** The view of the address, where it is not Read. */
-  const otherView = () => /^#(compose|translate|identify|libraries)/.exec(location.hash)?.[1];
+  const otherView = () =>
+    /^#(compose|translate|identify|libraries)(?![^?])/.exec(location.hash)?.[1];
 
   // The core is on its way before the program is, which takes the answer (engine.ts). A browser would
   // preload it too, and some then load it again.
@@ -32,6 +33,10 @@
 
   const theme = remembered("theme");
   if (theme === "light" || theme === "dark") dataset.theme = theme;
+
+  // Of the line that is copied as code there is nothing yet.
+  const format = stored("localStorage", "quatlas.copy-format");
+  if (format !== null && format !== "numbers") dataset.format = "";
 
   /** Whether what was typed just before a reload, or before leaving, comes back. */
   const comesBack = () =>
@@ -83,23 +88,53 @@
     addEventListener(type, (event) => isStarted() || does(event), { capture: true });
 
   untilStarted("hashchange", showFrame);
-  // The numbers are not those of what was typed; a moment later they may be.
+
+  // What is done with the page meanwhile is done again, in its order, when the program is there
+  // (dom/meanwhile.ts). The numbers are not those of what was typed; a moment later they may be.
+  const deeds = [];
+  globalThis.doneFirst = deeds;
   const momentMs = 200;
-  const showWaiting = () => {
-    if (!isStarted()) dataset.waiting = "";
+  const note = (deed) => {
+    const last = deeds.at(-1);
+    const goesOn = last?.control === deed.control && "value" in deed;
+    if (goesOn) last.value = deed.value;
+    else deeds.push(deed);
+    setTimeout(() => {
+      if (!isStarted()) dataset.waiting = "";
+    }, momentMs);
   };
-  untilStarted("input", () => setTimeout(showWaiting, momentMs));
-  // What is pressed is done when the program is there (dom/typed.ts).
+  untilStarted("input", ({ target }) => note({ control: target, value: target.value }));
+  untilStarted("click", (event) => {
+    const control = event.target.closest("#page :is(button, a[href^='#'])");
+    if (control === null) return;
+    if (control.matches("a")) {
+      // A browser follows it by itself, and would leave behind what was typed.
+      if (deeds.length === 0 || event.ctrlKey || event.metaKey || event.shiftKey) return;
+      event.preventDefault();
+    }
+    note({ control });
+  });
+  untilStarted("compositionstart", () => {
+    dataset.composing = "";
+  });
+  untilStarted("compositionend", () => delete dataset.composing);
+
+  /** Loads the page again, with what was typed. */
+  const tryAgain = () => {
+    const texts = [...document.querySelectorAll("#page textarea")];
+    const typed = texts.filter(({ value, defaultValue }) => value !== defaultValue);
+    const parameters = new URLSearchParams(typed.map(({ name, value }) => [name, value]));
+    if (typed.length > 0) location.hash = `read?v=1&${parameters}`;
+    location.reload();
+  };
   untilStarted("click", ({ target }) => {
-    target.closest("button")?.setAttribute("data-pressed", "");
+    if (target.matches("[data-not-started] button")) tryAgain();
   });
 
   const sayNotStarted = () => {
     if (isStarted()) return;
     document.querySelector("[data-loading]").hidden = true;
-    const line = document.querySelector("[data-not-started]");
-    line.hidden = false;
-    line.querySelector("button").onclick = () => location.reload();
+    document.querySelector("[data-not-started]").hidden = false;
   };
   addEventListener(
     "error",

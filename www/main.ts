@@ -7,6 +7,7 @@ import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
 import { holdWhileTyping, releaseOnLeaving } from "./dom/hold.ts";
 import { keepLetters } from "./dom/letters.ts";
+import { composed } from "./dom/meanwhile.ts";
 import { lookAtPlatform } from "./dom/platform.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
@@ -24,6 +25,7 @@ beginWith(fromFragment(location.hash).view).then(
     const store = createStore(engine, location.hash, rememberedNumbers);
     // Of a link that the first core cannot read the frame stays until the whole one has.
     if (store.mayBeRead.peek()) await readOn(store);
+    await composed();
     mount(store, root);
     readOnWhereNeeded(store);
     lookAtPlatform();
@@ -42,10 +44,10 @@ beginWith(fromFragment(location.hash).view).then(
   },
   (error: unknown) => {
     const words = isForbidden(error) ? coreForbidden : coreNotLoaded;
-    const line = document.querySelector("[data-loading]");
-    line?.classList.add("failure");
-    line?.setAttribute("role", "alert");
-    line?.replaceChildren(words(String(error)));
+    document.querySelector("[data-loading]")?.setAttribute("hidden", "");
+    const line = document.querySelector("[data-not-started]");
+    line?.querySelector("span")?.replaceChildren(words(String(error)));
+    line?.removeAttribute("hidden");
   },
 );
 

@@ -13,21 +13,21 @@ import {
 } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 179_750;
+const firstBudget = 180_290;
 const lazyBudgets: Record<string, number> = {
   "AxesPanel.js": 830,
   "Compose.css": 1_550,
-  "Compose.js": 2_970,
+  "Compose.js": 2_960,
   "ComposePicture.css": 410,
   "ComposePicture.js": 1_490,
   "CopyMenu.css": 450,
   "CopyMenu.js": 870,
   "FoldedBody.css": 230,
-  "FoldedBody.js": 1_000,
+  "FoldedBody.js": 990,
   "Gallery.css": 350,
-  "Gallery.js": 2_510,
+  "Gallery.js": 2_500,
   "Help.css": 460,
-  "Help.js": 1_400,
+  "Help.js": 1_390,
   "Identify.css": 2_370,
   "Identify.js": 9_530,
   "Libraries.css": 1_730,
@@ -40,7 +40,7 @@ const lazyBudgets: Record<string, number> = {
   "SharePanel.css": 350,
   "SharePanel.js": 870,
   "Translate.css": 1_660,
-  "Translate.js": 9_020,
+  "Translate.js": 9_030,
   "apple_touch_icon.png": 3_140,
   "axes_panel.css": 360,
   "axes_panel.js": 310,

@@ -166,13 +166,70 @@ test("what is chosen, edited and pressed before the program is there is done whe
   await expect(page.getByRole("dialog")).toContainText("Keyboard shortcuts");
 });
 
-test("a number that is edited before the program is there is read when it comes", async ({
+test("what is edited before the program is there is done in its order when it comes", async ({
   page,
 }) => {
   const start = await openWithoutProgram(page, "/");
-  const number = page.getByRole("textbox", { name: "angle in degrees" });
-  await number.fill("90");
+  await page.getByRole("textbox", { name: "angle in degrees" }).fill("80");
+  await page.getByRole("textbox", { name: "axis, z" }).fill("-1");
+  await page.getByRole("textbox", { name: "angle in degrees" }).fill("90");
   await start();
+  const turnedBack = [0, 1, 0, -1, 0, 0, 0, 0, 1];
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual(turnedBack);
+  await expect(quaternionField(page)).toHaveValue("90° about [0, 0, -1]");
+});
+
+test("what is pressed before the program is there has the answer to what was typed", async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  const start = await openWithoutProgram(page, "/");
+  // What only the whole core reads.
+  await quaternionField(page).fill("Rotation.from_quat([0, 0, 0.6, 0.8])");
+  await page.getByRole("button", { name: "Copy Hamilton q", exact: true }).click();
+  await start();
+  await expect(page.getByRole("status")).toContainText("Hamilton q copied");
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe("[0.8, 0, 0, 0.6]");
+});
+
+test("a view that is opened after something was typed leaves it in the history", async ({
+  page,
+}) => {
+  const start = await openWithoutProgram(page, "/");
+  await quaternionField(page).fill("90deg about z");
+  await tab(page, "Compose").click();
+  await start();
+  await expect(matrix(page, "R(p ⊙ q)")).toBeVisible();
+  await page.goBack();
+  await expect(quaternionField(page)).toHaveValue("90deg about z");
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual(quarterTurn);
+});
+
+test("a text that is being composed when the program comes stays whole", async ({ page }) => {
+  const start = await openWithoutProgram(page, "/");
+  await quaternionField(page).fill("");
+  await quaternionField(page).focus();
+  const session = await page.context().newCDPSession(page);
+  const composing = { selectionStart: 5, selectionEnd: 5, text: "0 1 0" };
+  await session.send("Input.imeSetComposition", composing);
+  const started = start();
+  await page.waitForFunction(() =>
+    performance.getEntriesByType("resource").some(({ name }) => /index-/.test(name)),
+  );
+  await session.send("Input.insertText", { text: "0 1 0 0" });
+  await started;
+  await expect(quaternionField(page)).toHaveValue("0 1 0 0");
+});
+
+unwatched("what was typed survives a program that does not arrive", async ({ page }) => {
+  await page.route("**/index-*.js", (route) => route.abort());
+  await page.goto("/");
+  await quaternionField(page).fill("90deg about z");
+  await page.unroute("**/index-*.js");
+  await page.getByRole("alert").getByRole("button", { name: "Try again" }).click();
+  await started(page);
+  await expect(quaternionField(page)).toHaveValue("90deg about z");
   await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual(quarterTurn);
 });
 
@@ -249,6 +306,7 @@ test("a remembered theme and format are those of the page, and the numbers stand
   });
   const start = await openWithoutProgram(page, "/");
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual(example);
+  await expect(page.locator(".copy-line").first()).toHaveCSS("visibility", "hidden");
   await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
   await quaternionField(page).fill("90deg about z");
   await start();
@@ -340,4 +398,7 @@ unwatched("a core that does not come leaves the example, and what was typed", as
   await expect(page.getByRole("alert")).toContainText("The core could not be loaded");
   await expect(quaternionField(page)).toHaveValue("90deg about z");
   expect(await numbersOf(matrix(page, "R(q)"))).toEqual(example);
+  await page.unroute("**/quatlas_small_bg-*.wasm");
+  await page.getByRole("alert").getByRole("button", { name: "Try again" }).click();
+  await expect.poll(() => numbersOf(matrix(page, "R(q)"))).toEqual(quarterTurn);
 });

@@ -1,11 +1,10 @@
 // How quick the built page is in a real browser: medians of 30 runs, and the bytes of every part.
 // `npm test` or `npm start` builds it first; then `node bench/page.mjs`.
 
-import { chromium } from "@playwright/test";
 import { preview } from "vite";
-import { setUpChromium } from "../www/tasks/engines.mjs";
-import { gzipTotal, partsOfPage } from "../www/tasks/page_parts.mjs";
+import { brotliOf, partsOfPage } from "../www/tasks/page_parts.mjs";
 import { root } from "../www/tasks/shell.mjs";
+import { launchChromium } from "./browsers.mjs";
 
 const runs = 30;
 const server = await preview({
@@ -14,11 +13,7 @@ const server = await preview({
   preview: { port: 4191 },
 });
 const [address] = server.resolvedUrls.local;
-const executablePath = await setUpChromium();
-const browser = await chromium.launch({
-  ...(executablePath ? { executablePath } : {}),
-  args: ["--no-sandbox", "--disable-background-networking"],
-});
+const browser = await launchChromium();
 
 /** Each view with what is typed into: a field, and what of the page changes then. */
 const typed = [
@@ -160,7 +155,14 @@ console.log("milliseconds");
 console.table(times);
 console.log("from loading through typing");
 console.table(shifts);
-for (const [name, parts] of Object.entries(partsOfPage())) {
-  console.log(`${name}: ${gzipTotal(parts)} bytes compressed`);
-  console.table(Object.fromEntries(parts.map(({ name, bytes, gzip }) => [name, { bytes, gzip }])));
+/** What each kind of parts is for; nothing of `lazy` and `fonts` is needed until typing answers. */
+const kinds = { first: "to live", lazy: "later", fonts: "fonts" };
+for (const [kind, parts] of Object.entries(partsOfPage())) {
+  const sizes = parts.map((part) => [part.name, part.bytes, part.gzip, brotliOf(part)]);
+  const total = [1, 2, 3].map((column) => sizes.reduce((sum, size) => sum + size[column], 0));
+  const rows = [...sizes, ["all", ...total]];
+  console.log(`bytes ${kinds[kind]}`);
+  console.table(
+    Object.fromEntries(rows.map(([name, bytes, gzip, brotli]) => [name, { bytes, gzip, brotli }])),
+  );
 }

@@ -9,5 +9,10 @@ pub(crate) fn nearest_double(decimal: &str) -> f64 {
 
 /// The shortest decimal number that reads back as the same double.
 pub(crate) fn shortest(number: f64) -> String {
+    literal(number)
+}
+
+/// The same with a point or an exponent, as languages write a double.
+pub(crate) fn literal(number: f64) -> String {
     format!("{number:?}")
 }

@@ -91,6 +91,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "wasm",
         &[
+            "decimal",
             "convention",
             "problem",
             "rotation",

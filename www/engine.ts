@@ -32,10 +32,15 @@ export type Describe = (
   convention: Convention,
 ) => ConventionDescription & { preset: "hamilton" | "jpl" | undefined };
 
-/** The small core answers Read and Compose, and the page begins with it; the whole core answers all. */
+/**
+ * The small core answers Read and Compose for what most people type, and the page begins with it; the whole
+ * core answers all, and never otherwise than the small one where that one has an answer.
+ */
 export interface Engine {
+  /** Whether a text with a problem has one for quatlas, and not for the small core alone. */
+  isWhole: boolean;
   views: readonly Request["view"][];
-  /** What libraries do, in the order of the table; only the whole core has it. */
+  /** What libraries do, in the order of the table; it comes with the whole core. */
   libraries: readonly Library[];
   /** The probes that are proposed, one of each kind; only the whole core has them. */
   standardProbes: readonly Probe[];
@@ -66,9 +71,24 @@ const small: EitherCore = {
 /** The views that the core of the first load answers. */
 export const smallViews: Engine["views"] = ["read", "compose"];
 
-export async function loadSmallEngine(): Promise<Engine> {
-  await loadSmall({ module_or_path: smallUrl });
+/** What first.js asked for before this script was there. */
+declare global {
+  var askedFirst: { url: string; answer: Promise<Response> } | undefined;
+}
+
+/** The answer that is on its way already, the first time; or else the address to ask for. */
+function askedFor(url: string): string | Promise<Response> {
+  const { askedFirst } = globalThis;
+  if (askedFirst?.url !== new URL(url, document.baseURI).href) return url;
+  globalThis.askedFirst = undefined;
+  return askedFirst.answer;
+}
+
+/** The bytes of the core are given where there is no server to fetch them from. */
+export async function loadSmallEngine(bytes?: BufferSource): Promise<Engine> {
+  await loadSmall({ module_or_path: bytes ?? askedFor(smallUrl) });
   return {
+    isWhole: false,
     views: smallViews,
     libraries: [],
     standardProbes: [],
@@ -89,26 +109,41 @@ export function loadWholeEngine(): Promise<Engine> {
 }
 
 async function fetchWholeEngine(): Promise<Engine> {
+  const [whole, { default: libraries }] = await Promise.all([
+    loadWholeCore(),
+    import("../src/library/libraries.json"),
+  ]);
+  const call = calling(whole);
+  return {
+    isWhole: true,
+    views: [...smallViews, "translate", "identify"],
+    libraries: libraries as Library[],
+    standardProbes: whole.standardProbes(),
+    ...answersOf(whole, call),
+    describeLibrary: remembered((id) => call(() => whole.describeLibrary(id))),
+  };
+}
+
+async function loadWholeCore() {
   const {
-    default: loadWhole,
+    default: load,
     analyze,
     describeConvention,
     describeLibrary,
-    librariesJson,
     readNumber,
     standardProbes,
     startAnew,
     takePanicMessage,
   } = await import("../pkg/quatlas.js");
-  await loadWhole({ module_or_path: wholeUrl });
-  const whole = { analyze, describeConvention, readNumber, startAnew, takePanicMessage };
-  const call = calling(whole);
+  await load({ module_or_path: askedFor(wholeUrl) });
   return {
-    views: [...smallViews, "translate", "identify"],
-    libraries: JSON.parse(librariesJson()),
-    standardProbes: standardProbes(),
-    ...answersOf(whole, call),
-    describeLibrary: remembered((id) => call(() => describeLibrary(id))),
+    analyze,
+    describeConvention,
+    describeLibrary,
+    readNumber,
+    standardProbes,
+    startAnew,
+    takePanicMessage,
   };
 }
 

@@ -2,12 +2,13 @@ import { defineConfig, type Plugin } from "vite";
 import { home } from "./tasks/home.ts";
 import { pageLicences } from "./tasks/page_licences.ts";
 import { precache } from "./tasks/precache.ts";
+import { prerender } from "./tasks/prerender.ts";
 
 export default defineConfig({
   root: import.meta.dirname,
   // Relative, so that the page can be served from any folder.
   base: "./",
-  plugins: [withoutPolicy(), home(), pageLicences(), precache()],
+  plugins: [withoutPolicy(), home(), pageLicences(), prerender(() => [home()]), precache()],
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,
@@ -17,6 +18,8 @@ export default defineConfig({
     // A browser that preloads no modules by itself loads them a moment later.
     modulePreload: { polyfill: false },
     rolldownOptions: {
+      // The page is rendered in the build.
+      checks: { pluginTimings: false },
       output: {
         codeSplitting: {
           groups: [

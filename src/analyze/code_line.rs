@@ -1,7 +1,9 @@
 //! The line of code of a library, written with numbers and read back.
 
+use crate::analyze::plain_numbers::is_decimal;
 use crate::contract::Components;
 use crate::convention::order::ComponentOrder;
+use crate::decimal::literal;
 use crate::problem::Span;
 
 const PLACES: [&str; 4] = ["{w}", "{x}", "{y}", "{z}"];
@@ -11,7 +13,7 @@ pub(crate) fn write(template: &str, components: &Components) -> String {
     let Components { w, x, y, z, .. } = components;
     let numbers = PLACES.iter().zip([w, x, y, z]);
     numbers.fold(template.to_owned(), |line, (place, number)| {
-        line.replace(place, &format!("{number:?}"))
+        line.replace(place, &literal(*number))
     })
 }
 
@@ -34,7 +36,7 @@ pub(crate) fn write_in_order(
     for number in numbers {
         if let Some((at, place)) = written.next() {
             line.push_str(&template[rest..at]);
-            line.push_str(&format!("{number:?}"));
+            line.push_str(&literal(*number));
             rest = at + place.len();
         }
     }
@@ -81,13 +83,20 @@ impl Line {
         if named.matches(", ").count() != PLACES.len() - 1 {
             return None;
         }
-        let mut places: Vec<_> = self.places.iter().zip(numbers).collect();
-        places.sort_by_key(|((_, line), _)| std::cmp::Reverse(line.start));
-        let mut written = line.to_owned();
-        for ((_, place), number) in places {
-            written.replace_range(place.start..place.end, number);
+        let places: Vec<_> = self.places.iter().zip(numbers).collect();
+        let mut written = String::new();
+        let mut rest = 0;
+        // One after the other as they stand in the line, where w may be the last.
+        let next = |rest| {
+            let further = places.iter().filter(|((_, line), _)| line.start >= rest);
+            further.min_by_key(|((_, line), _)| line.start)
+        };
+        while let Some(((_, place), number)) = next(rest) {
+            written.push_str(&line[rest..place.start]);
+            written.push_str(number);
+            rest = place.end;
         }
-        Some(written)
+        Some(written + &line[rest..])
     }
 }
 
@@ -129,7 +138,9 @@ fn numbers(template: &str, line: &[(usize, char)]) -> Option<Line> {
             return None;
         }
         let number: String = number.iter().map(|(_, character)| character).collect();
-        number.parse::<f64>().ok()?;
+        if !is_decimal(&number) {
+            return None;
+        }
         if !named.is_empty() {
             named.push_str(", ");
         }

@@ -50,10 +50,8 @@ pub(crate) fn of_matrix(
         NoNearestRotation::Reflection if is_near(-entries) => reflection(entries, span),
         NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths, None),
         NoNearestRotation::NotFinite => Fault::too_large(span),
-        NoNearestRotation::Singular if entries.amax() == 0.0 => Fault {
-            suggestion: Some(suggested(Remedy::WriteIdentity, &Matrix3::identity())),
-            ..Fault::zero_matrix(span)
-        },
+        NoNearestRotation::Singular if entries.amax() == 0.0 => Fault::zero_matrix(span)
+            .suggesting(|_| Some(suggested(Remedy::WriteIdentity, &Matrix3::identity()))),
         NoNearestRotation::Singular => Fault::singular_matrix(span),
     })?;
     if nearest.correction > LARGEST_CORRECTION {
@@ -61,14 +59,14 @@ pub(crate) fn of_matrix(
         let is_scaled = is_near(scaled / scale);
         let rotation = nearest.rotation.to_tagged_matrix(convention).entries;
         let is_offered = is_scaled || nearest.correction <= LARGEST_CORRECTION_OFFERED;
-        return Err(Fault {
-            suggestion: is_offered.then(|| suggested(Remedy::NearestRotation, &rotation)),
-            ..if is_scaled {
-                Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
-            } else {
-                Fault::not_a_rotation(span, lengths, Some(nearest.correction))
-            }
-        });
+        let fault = if is_scaled {
+            Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
+        } else {
+            Fault::not_a_rotation(span, lengths, Some(nearest.correction))
+        };
+        return Err(
+            fault.suggesting(|_| is_offered.then(|| suggested(Remedy::NearestRotation, &rotation)))
+        );
     }
     let read = ReadMatrix {
         rows: rows3(&entries),
@@ -80,11 +78,11 @@ pub(crate) fn of_matrix(
     Ok((read, nearest.rotation.with_scalar_not_negative()))
 }
 
-fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Box<Suggestion> {
-    Box::new(Suggestion {
+fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Suggestion {
+    Suggestion {
         remedy,
         text: rows_text(&rows3(matrix)),
-    })
+    }
 }
 
 /// A mirror image and the flip that undoes it with the smallest turn left over.
@@ -116,8 +114,5 @@ fn reflection(entries: Matrix3<f64>, span: Span) -> Fault {
             (mirror, restored)
         }
     };
-    Fault {
-        suggestion: Some(suggested(Remedy::RestoreAxis, &restored)),
-        ..Fault::reflection(span, mirror)
-    }
+    Fault::reflection(span, mirror).suggesting(|_| Some(suggested(Remedy::RestoreAxis, &restored)))
 }

@@ -15,7 +15,7 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::frames::axis_mapping::{AxesChange, AxisMapping};
 use crate::library::endpoint::{Endpoint, Meaning};
-use crate::library::{Library, libraries, stores_columns};
+use crate::library::{Essentials, essentials, stores_columns};
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::Suggestion;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
@@ -99,7 +99,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         turn: turn(&attitude.rotation),
         proposed: pasted
             .filter(|pasted| from.library.is_none_or(|library| library.id != pasted.id))
-            .map(|pasted| pasted.id.clone()),
+            .map(|pasted| pasted.id.to_owned()),
         notes,
         from: end(&from, &typed, &attitude.rotation),
         to: end(&to, &numbers, &rotation),
@@ -111,7 +111,7 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
 fn attitude(
     text: &str,
     from: &Meaning,
-    pasted: Option<&'static Library>,
+    pasted: Option<&'static Essentials>,
 ) -> Result<Attitude, Problem> {
     let declared = |order| Declared {
         convention: Convention {
@@ -131,7 +131,7 @@ fn attitude(
     }
     // The library's own line, whatever its form, as the other end of a translation shows it.
     let known = [pasted, from.library].into_iter().flatten();
-    let mut lines = known.filter_map(|library| library.code.construct.as_deref());
+    let mut lines = known.filter_map(|library| library.construct);
     if let Some(line) = lines.find_map(|line| code_line::read(line, text)) {
         let read = Attitude::of_text(&line.named, Field::Quaternion, declared(from.order));
         return read.map_err(|problem| as_typed(problem, &line, text));
@@ -232,9 +232,8 @@ pub fn describe_library(id: &str) -> Option<LibraryDescription> {
 fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> TranslatedEnd {
     let components = Components::of(&numbers.components, meaning.order);
     let library = meaning.library;
-    let code = library.map(|library| &library.code);
     TranslatedEnd {
-        library: library.map(|library| library.id.clone()),
+        library: library.map(|library| library.id.to_owned()),
         convention: meaning.declared.unwrap_or(meaning.numbers()),
         array: numbers.to_array().map(plain),
         order: meaning.order,
@@ -250,10 +249,10 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
             form: printed.form,
             vectors: printed.vectors,
         }),
-        construct: code
-            .and_then(|code| code.construct.as_deref())
+        construct: library
+            .and_then(|library| library.construct)
             .map(|line| construct(line, &components, meaning)),
-        usual: code.and_then(|code| code.rotate.clone().or_else(|| code.matrix.clone())),
+        usual: library.and_then(|library| library.usual).map(str::to_owned),
         assumed: meaning.assumed.clone(),
         components,
     }
@@ -371,13 +370,13 @@ fn mapped(mapping: AxisMapping) -> MappedAxes {
 
 /// The library whose call stands in the text first; no fragment begins that of another library. A text
 /// that is too long is nobody's line.
-fn pasted(text: &str) -> Option<&'static Library> {
+fn pasted(text: &str) -> Option<&'static Essentials> {
     if is_too_long(text) {
         return None;
     }
     let compact = |text: &str| text.split_whitespace().collect::<String>();
     let text = compact(text);
-    libraries()
+    essentials()
         .iter()
         .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
         .filter_map(|(library, part)| Some((text.find(&compact(part))?, library)))

@@ -5,7 +5,7 @@ use crate::convention::matrix::CosineMatrix;
 use crate::convention::order::ComponentOrder;
 use crate::convention::side::{IncrementSign, Side};
 use crate::convention::{ComponentSign, Direction, Handedness, Perturbation, names};
-use crate::library::Library;
+use crate::library::{Essentials, Library};
 use serde::{Deserialize, Serialize};
 use strum::VariantArray;
 
@@ -151,6 +151,11 @@ impl Behaviour {
     /// Whether a record says nothing else; how it rotates may be told by its matrix alone.
     #[must_use]
     pub fn is_of(&self, library: &Library) -> bool {
+        self.agrees_with(&library.essentials())
+    }
+
+    /// [`Behaviour::is_of`]
+    pub(crate) fn agrees_with(&self, library: &Essentials) -> bool {
         agrees(library.constructor_order, self.constructor)
             && agrees(library.array_order, self.array)
             && agrees(library.handedness, self.handedness)
@@ -163,6 +168,13 @@ impl Library {
     /// The choices of which the record says nothing.
     #[must_use]
     pub fn unestablished(&self) -> Vec<BehaviourAxis> {
+        self.essentials().unestablished()
+    }
+}
+
+impl Essentials {
+    /// [`Library::unestablished`]
+    pub(crate) fn unestablished(&self) -> Vec<BehaviourAxis> {
         let choices = [
             (BehaviourAxis::Constructor, self.constructor_order.is_none()),
             (BehaviourAxis::Array, self.array_order.is_none()),

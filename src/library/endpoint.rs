@@ -5,7 +5,7 @@ use crate::convention::matrix::{CosineMatrix, MatrixConvention};
 use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
 use crate::convention::{Convention, Direction, Function, Handedness, Perturbation};
-use crate::library::{Library, VectorLayout, library};
+use crate::library::{Essentials, VectorLayout, essentials};
 use serde::{Deserialize, Serialize};
 
 /// Where numbers come from, or where they go.
@@ -76,7 +76,7 @@ pub enum Assumption {
 /// What numbers mean at one end.
 #[derive(Clone, Debug)]
 pub(crate) struct Meaning {
-    pub(crate) library: Option<&'static Library>,
+    pub(crate) library: Option<&'static Essentials>,
     /// The convention, where that is the end.
     pub(crate) declared: Option<Convention>,
     pub(crate) order: ComponentOrder,
@@ -136,7 +136,8 @@ impl Meaning {
     }
 
     fn of_library(endpoint: &LibraryEndpoint) -> Option<Self> {
-        let library = library(&endpoint.id)?;
+        let mut libraries = essentials().iter();
+        let library = libraries.find(|library| library.id == endpoint.id)?;
         let mut assumed = Vec::new();
         let order = endpoint.order.or(library.order()).unwrap_or_else(|| {
             assumed.push(Assumption::Order);

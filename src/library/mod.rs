@@ -11,6 +11,8 @@
 /// What a library may do with four numbers.
 pub mod behaviour;
 
+mod choices;
+
 /// One end of a translation.
 pub mod endpoint;
 
@@ -20,18 +22,26 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
 use crate::convention::{Direction, Handedness};
 use serde::{Deserialize, Serialize};
-use std::sync::LazyLock;
 
-/// The table as text.
-pub(crate) const TABLE: &str = include_str!("libraries.json");
+pub use crate::library::choices::{
+    AxisAngleSign, Group, HalfTurns, Known, Language, NonUnitResult, SignChoice, SlerpWay,
+    VectorLayout, ZeroResult,
+};
 
-static LIBRARIES: LazyLock<Vec<Library>> = LazyLock::new(|| {
-    #[expect(
-        clippy::expect_used,
-        reason = "the table is part of the program, and a test reads all of it"
-    )]
-    serde_json::from_str(TABLE).expect("every record of libraries.json is of the type Library")
-});
+/// Written by `build.rs` from `libraries.json`.
+static LIBRARIES: &[Library] = include!(concat!(env!("OUT_DIR"), "/libraries.rs"));
+
+/// What translating and identifying need of the records. A program that does no more, such as the wasm,
+/// does not carry the rest of the table.
+static ESSENTIALS: [Essentials; LIBRARIES.len()] = {
+    let mut essentials = [LIBRARIES[0].essentials(); LIBRARIES.len()];
+    let mut at = 0;
+    while at < LIBRARIES.len() {
+        essentials[at] = LIBRARIES[at].essentials();
+        at += 1;
+    }
+    essentials
+};
 
 /// All records, in the order of the table.
 ///
@@ -47,7 +57,7 @@ static LIBRARIES: LazyLock<Vec<Library>> = LazyLock::new(|| {
 /// ```
 #[must_use]
 pub fn libraries() -> &'static [Library] {
-    &LIBRARIES
+    LIBRARIES
 }
 
 /// The record with this id; `None` where there is none.
@@ -56,24 +66,30 @@ pub fn library(id: &str) -> Option<&'static Library> {
     libraries().iter().find(|library| library.id == id)
 }
 
+/// The essentials of all records, in the order of the table.
+pub(crate) fn essentials() -> &'static [Essentials] {
+    &ESSENTIALS
+}
+
 /// One library in one version.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Library {
     /// The stable name in addresses and requests: small letters, digits and hyphens.
-    pub id: String,
+    pub id: &'static str,
     /// What people call it.
-    pub name: String,
+    pub name: &'static str,
     /// Other words that find it.
+    // In TypeScript a member with a default may be missing, as it may in the file.
     #[serde(default)]
-    pub words: Vec<String>,
+    pub words: &'static [&'static str],
     /// The field it comes from.
     pub group: Group,
     /// The language of its lines of code.
     pub language: Language,
     /// The version, or the date of the document.
-    pub version: String,
+    pub version: &'static str,
     /// How all this is known.
     pub known: Known,
     /// The order of its array: in memory, in messages, as printed.
@@ -92,7 +108,7 @@ pub struct Library {
     pub direction: Option<Direction>,
     /// Its calls with Euler angles, the usual one first.
     #[serde(default)]
-    pub euler: Vec<EulerCall>,
+    pub euler: &'static [EulerCall],
     /// The sign of z in its quaternion of a positive turn about +z.
     pub axis_angle: Option<AxisAngleSign>,
     /// What it does with a quaternion of norm 2.
@@ -110,174 +126,13 @@ pub struct Library {
     pub code: Code,
     /// Fragments of pasted code that mean this library.
     #[serde(default)]
-    pub pasted: Vec<String>,
+    pub pasted: &'static [&'static str],
     /// Which calls were run.
-    pub calls: Option<String>,
+    pub calls: Option<&'static str>,
     /// What was read, where nothing was run.
     pub source: Option<Source>,
     /// What surprises people.
-    pub note: Option<String>,
-}
-
-/// The field a library comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum Group {
-    /// Robotics and ROS.
-    Robotics,
-    /// State estimation and mapping.
-    Estimation,
-    /// Simulation and physics.
-    Simulation,
-    /// Graphics and games.
-    Graphics,
-    /// Aircraft and spacecraft.
-    Aerospace,
-    /// Mathematics and science.
-    Mathematics,
-    /// Devices and formats.
-    Devices,
-}
-
-/// A language of code.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum Language {
-    /// C.
-    C,
-    /// C++.
-    Cpp,
-    /// C#.
-    Csharp,
-    /// Java.
-    Java,
-    /// JavaScript and TypeScript.
-    Javascript,
-    /// MATLAB.
-    Matlab,
-    /// No language: a message or a file.
-    Message,
-    /// Python.
-    #[default]
-    Python,
-    /// Rust.
-    Rust,
-    /// Swift.
-    Swift,
-}
-
-/// How the behaviour of a library is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum Known {
-    /// It was run, and printed the numbers that are recorded.
-    Run,
-    /// Its source was read.
-    Read,
-    /// Its documentation says so.
-    Documented,
-}
-
-/// Which vectors a library's matrices are for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum VectorLayout {
-    /// Columns, on the right of the matrix: `M v`.
-    Column,
-    /// Rows, on the left of the matrix: `v M`.
-    Row,
-}
-
-/// The sign of z in the quaternion of a positive turn about +z.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum AxisAngleSign {
-    /// As in `(cos θ/2, sin θ/2 n)`.
-    Positive,
-    /// The other one.
-    Negative,
-}
-
-/// Which way slerp goes between `a` and `−b`, by default.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum SlerpWay {
-    /// The same as between `a` and `b`: the shorter one.
-    Short,
-    /// As the signs say, even if that is the longer one.
-    Long,
-}
-
-/// What comes of a quaternion of norm 2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum NonUnitResult {
-    /// For a constructor: it is kept.
-    Kept,
-    /// As from the unit quaternion.
-    Normalised,
-    /// Four times as large as from the unit quaternion.
-    Scaled,
-    /// Something that is no rotation times a factor.
-    Distorted,
-    /// For a constructor: something else.
-    Changed,
-    /// An error.
-    Refused,
-}
-
-/// What comes of the zero quaternion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum ZeroResult {
-    /// For a constructor: zeros are kept.
-    Kept,
-    /// The identity: of quaternions, of matrices, or the vector as it was.
-    Identity,
-    /// Minus the identity matrix.
-    MinusIdentity,
-    /// Half a turn.
-    HalfTurn,
-    /// Zeros.
-    Zero,
-    /// No number: NaN or infinity.
-    Nan,
-    /// An error.
-    Refused,
-    /// Something else.
-    Other,
-}
-
-/// Which of q and −q comes out of a matrix.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum SignChoice {
-    /// The one whose scalar part is not negative.
-    ScalarNonNegative,
-    /// The one whose largest component is positive, so the scalar part can be negative.
-    LargestPositive,
-    /// No rule that the runs show.
-    Mixed,
-}
-
-/// Whether matrices of half turns come back right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "kebab-case")]
-pub enum HalfTurns {
-    /// All five that were tried.
-    Right,
-    /// At least one was wrong, no number, or an error.
-    Wrong,
+    pub note: Option<&'static str>,
 }
 
 /// What a library does with a quaternion of norm 2.
@@ -322,65 +177,96 @@ pub struct MatrixToQuaternion {
 }
 
 /// A call with three angles a, b, c.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(deny_unknown_fields)]
 pub struct EulerCall {
     /// The call, with the angles in its own order; in radians unless it says degrees.
-    pub call: String,
+    pub call: &'static str,
     /// The rotation for column vectors as a product, the factor that acts first on the right:
     /// `Rz(a) Ry(b) Rx(c)`.
-    pub means: String,
+    pub means: &'static str,
 }
 
 /// The calls of a library, one line each; `q`, `a`, `b` are its quaternions, `v` is a vector.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Code {
     /// Four numbers to a quaternion; `{w}`, `{x}`, `{y}`, `{z}` stand for the numbers.
-    pub construct: Option<String>,
+    pub construct: Option<&'static str>,
     /// The vector rotated by the quaternion.
-    pub rotate: Option<String>,
+    pub rotate: Option<&'static str>,
     /// The matrix of the quaternion.
-    pub matrix: Option<String>,
+    pub matrix: Option<&'static str>,
     /// The product of two quaternions.
-    pub product: Option<String>,
+    pub product: Option<&'static str>,
     /// The quaternion of a matrix `M`.
-    pub from_matrix: Option<String>,
+    pub from_matrix: Option<&'static str>,
     /// The four numbers of the quaternion.
-    pub print: Option<String>,
+    pub print: Option<&'static str>,
 }
 
 /// What was read.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(deny_unknown_fields)]
 pub struct Source {
     /// What it says.
-    pub text: String,
+    pub text: &'static str,
     /// Where it says so.
-    pub url: Option<String>,
+    pub url: Option<&'static str>,
+}
+
+/// What translating and identifying need of a record.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Essentials {
+    pub(crate) id: &'static str,
+    pub(crate) language: Language,
+    pub(crate) array_order: Option<ComponentOrder>,
+    pub(crate) constructor_order: Option<ComponentOrder>,
+    pub(crate) handedness: Option<Handedness>,
+    pub(crate) rotate: Option<CosineMatrix>,
+    pub(crate) matrix: Option<CosineMatrix>,
+    pub(crate) vectors: Option<VectorLayout>,
+    pub(crate) direction: Option<Direction>,
+    /// [`Code::construct`]
+    pub(crate) construct: Option<&'static str>,
+    /// What usually follows: a vector is rotated, or else the matrix made.
+    pub(crate) usual: Option<&'static str>,
+    pub(crate) pasted: &'static [&'static str],
 }
 
 impl Library {
+    pub(crate) const fn essentials(&self) -> Essentials {
+        Essentials {
+            id: self.id,
+            language: self.language,
+            array_order: self.array_order,
+            constructor_order: self.constructor_order,
+            handedness: self.handedness,
+            rotate: self.rotate,
+            matrix: self.matrix,
+            vectors: self.vectors,
+            direction: self.direction,
+            construct: self.code.construct,
+            usual: match self.code.rotate {
+                None => self.code.matrix,
+                rotate => rotate,
+            },
+            pasted: self.pasted,
+        }
+    }
+
     /// The order in which its numbers are usually met: that of the array, or else of the constructor.
     #[must_use]
     pub fn order(&self) -> Option<ComponentOrder> {
-        self.array_order.or(self.constructor_order)
+        self.essentials().order()
     }
 
     /// What the quaternion multiplies a column vector with when it acts: by the call that rotates, or
     /// else by the matrix as it is applied to vectors.
     #[must_use]
     pub fn action(&self) -> Option<CosineMatrix> {
-        self.rotate.or_else(|| {
-            let matrix = self.matrix?;
-            Some(match self.vectors? {
-                VectorLayout::Column => matrix,
-                VectorLayout::Row => matrix.transposed(),
-            })
-        })
+        self.essentials().action()
     }
 
     /// The operand of `a * b` that acts first on a vector.
@@ -393,6 +279,24 @@ impl Library {
     #[must_use]
     pub fn family(&self) -> Option<Family> {
         Some(Family::of(self.handedness?, self.action()?))
+    }
+}
+
+impl Essentials {
+    /// [`Library::order`]
+    pub(crate) fn order(&self) -> Option<ComponentOrder> {
+        self.array_order.or(self.constructor_order)
+    }
+
+    /// [`Library::action`]
+    pub(crate) fn action(&self) -> Option<CosineMatrix> {
+        self.rotate.or_else(|| {
+            let matrix = self.matrix?;
+            Some(match self.vectors? {
+                VectorLayout::Column => matrix,
+                VectorLayout::Row => matrix.transposed(),
+            })
+        })
     }
 }
 

@@ -13,7 +13,7 @@ pub struct Fault {
     pub code: ProblemCode,
     /// Where in the text, in bytes.
     pub span: Span,
-    /// What is wrong, in one sentence.
+    /// What is wrong, in one sentence; without the feature `whole` it is empty, as are the next two.
     pub message: String,
     /// What was expected at that place.
     pub expected: String,
@@ -22,6 +22,28 @@ pub struct Fault {
     /// The text to write in its place, where that is certain; none of the functions that only parse
     /// look for one.
     pub suggestion: Option<Box<Suggestion>>,
+}
+
+/// The sentences of a problem.
+#[derive(Default)]
+pub(crate) struct Words {
+    message: String,
+    expected: String,
+    hint: String,
+}
+
+impl Words {
+    pub(crate) fn new(
+        message: impl Into<String>,
+        expected: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Self {
+            message: message.into(),
+            expected: expected.into(),
+            hint: hint.into(),
+        }
+    }
 }
 
 impl fmt::Display for Fault {
@@ -33,20 +55,48 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
+    /// Of sentences that are always the same.
     pub(crate) fn new(
         code: ProblemCode,
         span: Span,
-        message: impl Into<String>,
-        expected: impl Into<String>,
-        hint: impl Into<String>,
+        message: &'static str,
+        expected: &'static str,
+        hint: &'static str,
     ) -> Self {
+        Self::told(code, span, || Words::new(message, expected, hint))
+    }
+
+    /// Of sentences that hold something of the text: they are made here and nowhere else, so that a build
+    /// without them has nothing of what makes them.
+    pub(crate) fn told(code: ProblemCode, span: Span, words: impl FnOnce() -> Words) -> Self {
+        let Words {
+            message,
+            expected,
+            hint,
+        } = if cfg!(feature = "whole") {
+            words()
+        } else {
+            Words::default()
+        };
         Self {
             code,
             span,
-            message: message.into(),
-            expected: expected.into(),
-            hint: hint.into(),
+            message,
+            expected,
+            hint,
             suggestion: None,
+        }
+    }
+
+    /// With a text to write instead, where there is one and none was found before; a build without the
+    /// sentences looks for none.
+    pub(crate) fn suggesting(self, find: impl FnOnce(&Self) -> Option<Suggestion>) -> Self {
+        if !cfg!(feature = "whole") || self.suggestion.is_some() {
+            return self;
+        }
+        Self {
+            suggestion: find(&self).map(Box::new),
+            ..self
         }
     }
 

@@ -16,7 +16,7 @@ pub(crate) mod sentences;
 pub mod suggestion;
 
 use crate::problem::suggestion::Suggestion;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 use std::ops::Range;
 use strum::VariantNames;
@@ -126,7 +126,7 @@ impl From<Range<usize>> for Span {
 }
 
 /// What kind of problem it is; the names are stable.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 #[derive(VariantNames)]
@@ -207,6 +207,13 @@ impl ProblemCode {
     }
 }
 
+/// By the list of names; what is derived has the code of a case for each.
+impl Serialize for ProblemCode {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_unit_variant("ProblemCode", *self as u32, self.name())
+    }
+}
+
 /// Why a text has no result: the place, what is wrong, what was expected, what to try.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -218,15 +225,22 @@ pub struct Problem {
     pub field: Field,
     /// Where in that text: bytes in Rust, UTF-16 units in JavaScript.
     pub span: Span,
-    /// What is wrong, in one sentence.
+    /// What is wrong, in one sentence; without the feature `whole` it is empty, as are the next two.
     pub message: String,
     /// What was expected at that place.
     pub expected: String,
     /// What to try.
     pub hint: String,
     /// The text to write in its place, where that is certain; in the answers of
-    /// [`analyze`](fn@crate::analyze) only.
+    /// [`analyze`](fn@crate::analyze) only, and only with the feature `whole`.
+    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "none"))]
     pub suggestion: Option<Box<Suggestion>>,
+}
+
+/// That there is no suggestion, without the code that writes one.
+#[cfg(not(feature = "whole"))]
+fn none<S: Serializer>(_: &Option<Box<Suggestion>>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_none()
 }
 
 impl fmt::Display for Problem {

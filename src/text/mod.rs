@@ -25,6 +25,9 @@
 //! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
+//! Without the feature `whole` the calls, what consoles print before a list, and a matrix column by column are
+//! refused.
+//!
 //! # Degrees or radians
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means

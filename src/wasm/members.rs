@@ -8,6 +8,7 @@ use js_sys::{JsString, Reflect, TypeError};
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
+    crate::decimal::shortest,
     serde::de::{DeserializeOwned, IntoDeserializer},
     std::fmt,
 };
@@ -229,6 +230,7 @@ fn elements(list: JsValue, path: String) -> Typed<impl Iterator<Item = Typed<(St
     let length = Reflect::get(&list, &"length".into())?;
     let length = length.as_f64().unwrap_or_default();
     if !(0.0..=f64::from(MOST_ELEMENTS)).contains(&length) {
+        let length = shortest(length);
         return Err(refused(&format!(
             "`{path}` has {length} elements; at most {MOST_ELEMENTS} are read"
         )));

@@ -37,7 +37,6 @@ use {
     crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},
     crate::contract::{IdentifyReport, ObservationReport},
-    crate::library::TABLE,
     crate::library::endpoint::Endpoint,
     crate::wasm::library_request::{IDENTIFY, TRANSLATE, identify_request, translate_request},
     crate::wasm::request::{COMPOSE, READ},
@@ -251,13 +250,6 @@ pub fn describe_library(id: &str) -> Result<JsValue, TypeError> {
 #[wasm_bindgen(js_name = standardProbes, unchecked_return_type = "Probe[]")]
 pub fn probes() -> Result<JsValue, TypeError> {
     to_js(&standard_probes())
-}
-
-/// The table of libraries, as JSON: an array of `Library`.
-#[cfg(feature = "libraries")]
-#[wasm_bindgen(js_name = librariesJson)]
-pub fn libraries_json() -> String {
-    TABLE.to_owned()
 }
 
 /// Makes the instance anew before the next call; nothing of the old one stays.

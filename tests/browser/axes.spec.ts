@@ -1,6 +1,7 @@
 // Every description of an attitude, the five axes, and Euler angles, by keyboard.
 import {
   expect,
+  haveNoLetters,
   matrix,
   numberOf,
   numbersOf,
@@ -203,7 +204,10 @@ for (const fragment of [
   }
 }
 
-test("nothing is wider than a phone with everything open", async ({ page }) => {
+test("nothing is wider than a phone with everything open, whatever its letters", async ({
+  page,
+}) => {
+  await haveNoLetters(page);
   await page.setViewportSize({ width: 320, height: 740 });
   await page.goto("/#read?handedness=left&quaternion=ZYX+30+90+10&digits=all");
   for (const summary of await page.locator("summary").all()) await summary.click();

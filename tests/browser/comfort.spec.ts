@@ -141,9 +141,8 @@ test("the theme is the system's or by hand, from the first paint on", async ({ p
   await page.route("**/*.wasm", () => {});
   await page.goto("/#read");
   await page.reload({ waitUntil: "commit" });
-  await expect(page.getByText("Loading the playground")).toBeVisible();
-  // The text is read before the style sheet has come, and nothing is painted until then.
-  await expect.poll(() => paper(page)).toBe(dark);
+  await expect(matrix(page, "R(q)")).toBeVisible();
+  expect(await paper(page)).toBe(dark);
   await page.unroute("**/*.wasm");
   await page.reload();
 

@@ -24,6 +24,10 @@ const aboutZ = {
 /** x to y, y to z, z to x. */
 const thirdTurn = "0 0 1 1 0 0 0 1 0";
 
+/** To be run in the page. */
+const coresAskedFor = () =>
+  performance.getEntriesByType("resource").filter(({ name }) => name.endsWith(".wasm")).length;
+
 const control = process.platform === "darwin" ? "Meta" : "Control";
 
 async function selectQuaternion(engine: Engine) {
@@ -38,6 +42,8 @@ test("opens on 45° about z, follows what is typed, and copies what can be paste
   await openView(engine, site.url, 1280);
   expect(await engine.evaluate(matrices)).toMatchObject(aboutZ);
   expect(await engine.evaluate(cutNumbers)).toEqual([]);
+  // Asked for by the first script, and not again by the program.
+  expect(await engine.evaluate(coresAskedFor)).toBe(1);
 
   await selectQuaternion(engine);
   await engine.type("1/2 + i/2 + j/2 + k/2");

@@ -125,12 +125,24 @@ const topsWhileTyping = (page: Page, text: string) =>
     return seen;
   }, text);
 
+/** With the first problem comes what every problem is said by. */
+async function loadWholeCore(page: Page) {
+  const text = await quaternionField(page).inputValue();
+  await quaternionField(page).fill("oops");
+  await expect(page.locator(".problem")).toBeVisible();
+  await quaternionField(page).fill(text);
+  await expect(page.locator(".problem")).toHaveCount(0);
+  // A rest: what is said has its usual height again.
+  await expect(page.locator(".ask-status.typing")).toHaveCount(0);
+}
+
 test("the tops of the columns stay where they are while somebody types", async ({ page }) => {
   for (const width of [1280, 390]) {
     await page.setViewportSize({ width, height: 844 });
     for (const typed of ["0.1 -0.2 0.4 .38", "ypr 30 20 10", "2 0 0 cos(1)", "1 0 0 0 0"]) {
       await page.goto("/");
       await page.reload();
+      await loadWholeCore(page);
       const columns = page.locator(".column");
       await expect(columns).toHaveCount(2);
       const before = await columns.evaluateAll((found) =>

@@ -38,8 +38,9 @@ function look(): Looked {
 }
 
 async function expectAlive(page: Page, view: string, hasWords: boolean) {
-  // A view that is loaded when it is opened has a line in its place until then.
-  await expect(page.locator("main .loading")).toHaveCount(0);
+  // A view that is loaded when it is opened has a line in its place until then, and so has a text that only
+  // the whole core may read.
+  await expect(page.locator("main :is(.loading, .reading)")).toHaveCount(0);
   const looked = await page.evaluate(look);
   expect(looked).toMatchObject({ view, foreign: 0, isEditable: true });
   expect(looked.title).toMatch(/quatlas/);

@@ -94,7 +94,10 @@ test("reloading the address gives the same page", async ({ page }) => {
   const allIsThere = () => expect(page.locator(".picture-wait, .fold-wait")).toHaveCount(0);
   const shown = async () => [
     await page.locator(".read-as").innerHTML(),
-    await page.locator(".result").innerHTML(),
+    // Ids are given in the order in which parts come, and what a field held at first is no news.
+    (await page.locator(".result").innerHTML())
+      .replace(/P\d+-\d+/g, "P")
+      .replace(/ (?:checked|selected|value)="[^"]*"/g, ""),
     await textsOf(page.locator(":has(> input[type=text])")),
   ];
   await allIsThere();
@@ -251,8 +254,6 @@ test("the page serves the optimised wasm of the build, and explains itself witho
   const context = await browser.newContext({ javaScriptEnabled: false });
   const plain = await context.newPage();
   await plain.goto(page.url());
-  await expect(
-    plain.getByText("The same four numbers live under two different products"),
-  ).toBeVisible();
+  await expect(plain.getByText("Same numbers, transposed matrices.")).toBeVisible();
   await context.close();
 });

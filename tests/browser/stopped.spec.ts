@@ -59,7 +59,7 @@ unwatched("after a trap whatever is called next has a new instance", () => {
   expect(done).toEqual(["anew", "described", "described again"]);
 });
 
-const loadingLine = (page: Page) => page.locator("[data-loading]");
+const notStarted = (page: Page) => page.locator("[data-not-started]");
 const advice = "wasm-unsafe-eval";
 const wasm = "**/quatlas_small_bg-*.wasm";
 
@@ -73,7 +73,7 @@ unwatched("a policy that forbids the core is told as such", async ({ page }) => 
     await route.fulfill({ response, headers });
   });
   await page.goto("/");
-  await expect(loadingLine(page)).toContainText(`must allow '${advice}'`);
+  await expect(notStarted(page)).toContainText(`must allow '${advice}'`);
 });
 
 for (const [what, answer] of [
@@ -84,16 +84,16 @@ for (const [what, answer] of [
   unwatched(`a core that ${what} is told without advice about a policy`, async ({ page }) => {
     await page.route(wasm, (route) => route.fulfill(answer));
     await page.goto("/");
-    await expect(loadingLine(page)).toContainText("The core could not be loaded");
-    await expect(loadingLine(page)).not.toContainText(advice);
+    await expect(notStarted(page)).toContainText("The core could not be loaded");
+    await expect(notStarted(page)).not.toContainText(advice);
   });
 }
 
 unwatched("a core that does not arrive is told without advice about a policy", async ({ page }) => {
   await page.route(wasm, (route) => route.abort());
   await page.goto("/");
-  await expect(loadingLine(page)).toContainText("The core could not be loaded");
-  await expect(loadingLine(page)).not.toContainText(advice);
+  await expect(notStarted(page)).toContainText("The core could not be loaded");
+  await expect(notStarted(page)).not.toContainText(advice);
 });
 
 // Unwatched, because a browser asks for an icon of a text.

@@ -1,6 +1,6 @@
 // No number of any view is cut at any width, with any number of decimals. engines.spec.ts has the other
 // engines.
-import { expect, matrix, openEverything, test } from "./support/page.ts";
+import { expect, haveNoLetters, matrix, openEverything, test } from "./support/page.ts";
 import { addresses, cutNumbers, isShown } from "./support/whole_numbers.ts";
 
 const widths = [320, 390, 560, 768, 992, 1280, 1920];
@@ -15,6 +15,18 @@ for (const address of addresses) {
     }
   });
 }
+
+test("every number is whole in the letters of the system", async ({ page }) => {
+  await haveNoLetters(page);
+  for (const address of ["read", "compose"]) {
+    await page.goto(`/#${address}`);
+    await page.waitForFunction(isShown);
+    for (const width of widths) {
+      await page.setViewportSize({ width, height: 800 });
+      expect(await page.evaluate(cutNumbers), `${address}, ${width} px`).toEqual([]);
+    }
+  }
+});
 
 for (const width of [320, 390, 1280]) {
   test(`a number that is edited shows all its digits beside the others, ${width} px`, async ({

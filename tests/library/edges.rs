@@ -203,7 +203,7 @@ fn slerp_goes_the_short_or_the_long_way() {
             .slerp(&rotation(&inputs["b"]), 0.5)
             .expect("a part");
         let half_way = half_way.to_tagged(Convention::HAMILTON).components;
-        assert_same_rotation(&library.id, &a_to_b, &half_way);
+        assert_same_rotation(library.id, &a_to_b, &half_way);
         let dot = a_to_b.coords.dot(&a_to_minus_b.coords).abs();
         let way = if (dot - 1.0).abs() < 1e-6 {
             SlerpWay::Short
@@ -219,7 +219,7 @@ fn slerp_goes_the_short_or_the_long_way() {
 fn euler_calls_that_are_read_mean_what_was_printed() {
     let mut read = Vec::new();
     for library in libraries() {
-        for call in &library.euler {
+        for call in library.euler {
             let is_in_degrees = call.call.contains("degrees");
             let angles = if is_in_degrees {
                 [17.0, 28.0, 40.0]
@@ -239,7 +239,7 @@ fn euler_calls_that_are_read_mean_what_was_printed() {
             } else {
                 angles
             };
-            let expected = product_of_turns(&call.means, &radians);
+            let expected = product_of_turns(call.means, &radians);
             let got = got.body_to_world_matrix();
             assert_close(&text, got.as_slice(), expected.as_slice(), 1e-12);
             read.push(text);

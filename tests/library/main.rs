@@ -9,6 +9,8 @@ mod support;
 #[path = "../support/turned.rs"]
 mod turned;
 
+#[cfg(not(target_arch = "wasm32"))]
+mod build_script;
 mod recorded;
 mod simulated;
 

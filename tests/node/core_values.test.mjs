@@ -8,7 +8,8 @@ import * as whole from "../../pkg/quatlas.js";
 import * as small from "../../pkg/small/quatlas_small.js";
 import * as values from "../../pkg/values.js";
 
-const bytes = (path) => readFileSync(new URL(`../../pkg/${path}`, import.meta.url));
+const inRoot = (path) => new URL(`../../${path}`, import.meta.url);
+const bytes = (path) => readFileSync(inRoot(`pkg/${path}`));
 whole.initSync({ module: bytes("quatlas_bg.wasm") });
 small.initSync({ module: bytes("small/quatlas_small_bg.wasm") });
 const cores = { whole, small };
@@ -152,8 +153,24 @@ test("of all 32 conventions both cores say what the page derived before", () => 
   }
 });
 
+const libraries = JSON.parse(readFileSync(inRoot("src/library/libraries.json"), "utf8"));
+
+test("of the table the whole core holds what it translates with, and the small one nothing", () => {
+  const texts = {
+    whole: bytes("quatlas_bg.wasm").toString(),
+    small: bytes("small/quatlas_small_bg.wasm").toString(),
+  };
+  for (const { id, code, note, calls, source, euler = [] } of libraries) {
+    assert.ok(texts.whole.includes(code.construct), id);
+    assert.ok(!texts.small.includes(code.construct), id);
+    const shown = [note, calls, source?.text, ...euler.map(({ call }) => call)];
+    for (const text of shown.filter((text) => text?.length > 30)) {
+      for (const core of Object.values(texts)) assert.ok(!core.includes(text), text);
+    }
+  }
+});
+
 test("what a library does is what it does as an end of a translation", () => {
-  const libraries = JSON.parse(whole.librariesJson());
   assert.ok(libraries.length > 60, `${libraries.length} libraries`);
   for (const { id } of libraries) {
     const end = { kind: "library", id };

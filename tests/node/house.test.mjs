@@ -36,14 +36,18 @@ const mayUse = {
   state: [...ground, "address"],
   // Sentences hold numbers.
   words: [...ground, "number"],
-  action: [...ground, "number", "state", "words"],
+  action: [...ground, "dom", "number", "state", "words"],
   copy: [...ground, "number", "address", "words"],
   picture: [...ground, "dom", "number", "state", "words"],
   "view/parts": parts,
   // Read, Compose, Translate, Libraries, Identify; a view that comes is a folder beside them.
   "view/*": [...parts, "file", "worker"],
   "view/frame": [...parts, "view/*"],
-  "main.tsx": [...parts, "view/frame", "style.css"],
+  "main.ts": [...parts, "view/frame", "style.css"],
+  // The page as HTML, at build.
+  "prerender.tsx": [...ground, "state", "view/frame"],
+  "first.js": [],
+  // It imports none: it has Vite load them.
   tasks: [],
   "service_worker.js": [],
   "vite.config.ts": ["tasks"],

@@ -6,7 +6,6 @@ import {
   type IdentifyRequest,
   initSync,
   type Library,
-  librariesJson,
   type Outcome,
   type Problems,
   presets,
@@ -17,6 +16,7 @@ import {
   takePanicMessage,
 } from "../../pkg/quatlas.js";
 import wasm from "../../pkg/quatlas_bg.wasm?url&inline";
+import table from "../../src/library/libraries.json";
 import { answering } from "./answering.ts";
 
 export type * from "../../pkg/quatlas.js";
@@ -86,7 +86,7 @@ export function analyze(request: Request): Outcome {
  * handedness; // "left"
  * rotate; // "R"
  */
-export const libraries: readonly Library[] = deeplyFrozen(JSON.parse(librariesJson()));
+export const libraries: readonly Library[] = deeplyFrozen(table as Library[]);
 
 /**
  * One attitude, from one library or convention to another: the numbers at both ends, what was done to

@@ -84,8 +84,13 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     return answer(state.peek(), engine.value);
   });
 
+  /** Whether the core that is there cannot read a text, and the whole one may. */
+  const mayBeRead = computed(() => outcome.value?.status === "problems" && !engine.value.isWhole);
+  const wholeCore = signal<"awaited" | "missing">("awaited");
+  const isReading = computed(() => mayBeRead.value && wholeCore.value === "awaited");
+
   const problems = computed<Problem[]>(() =>
-    outcome.value?.status === "problems" ? outcome.value.problems : [],
+    outcome.value?.status === "problems" && !isReading.value ? outcome.value.problems : [],
   );
 
   const failure = computed(() =>
@@ -93,11 +98,11 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
   );
 
   // The last good result of each view stays while the text has a problem; before the first one it
-  // is the opening example.
+  // is the opening example, once it is known that the text has one.
   const lastOf = <Status extends Good["status"]>(status: Status) =>
     lastGood(
       () => outcome.value,
-      () => answer({ ...opening, view: status }, engine.value),
+      () => (isReading.value ? undefined : answer({ ...opening, view: status }, engine.value)),
       (outcome): outcome is Good & { status: Status } => outcome?.status === status,
     );
 
@@ -121,6 +126,11 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     translate: lastOf("translate"),
     identify: lastOf("identify"),
     failure,
+    mayBeRead,
+    /** What has become of the whole core where it is needed. */
+    wholeCore,
+    /** Whether it is not known yet what a text is. */
+    isReading,
     problems,
     problemOf: (field: Field) => problems.value.find((problem) => problem.field === field),
     /** The numbers of the result that are being edited. */

@@ -1,18 +1,40 @@
 // The files of the built page and their sizes: those of the first load, and those that are loaded later.
 import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { gzipSync } from "node:zlib";
+import { extname, join } from "node:path";
+import { brotliCompressSync, gzipSync } from "node:zlib";
 import { root } from "./shell.mjs";
 
 const folder = join(root, "dist", "page");
 const smallCore = /^quatlas_small_bg-/;
+/** What first.js may preload. */
+const sleepingLink = /<link data-[^>]*>/g;
 const font = /\.woff2$/;
+
+const mediaTypes = {
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+  ".woff2": "font/woff2",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+  ".txt": "text/plain; charset=utf-8",
+  ".webmanifest": "application/manifest+json",
+};
+
+/** What a file of the page is, by its end. */
+export const mediaTypeOf = (path) => mediaTypes[extname(path)] ?? "application/octet-stream";
+
+/** How hosts send a file, each as small as it can; the best quality of brotli is that of Node by default. */
+export const encodings = {
+  gzip: (bytes) => gzipSync(bytes, { level: 9 }),
+  br: (bytes) => brotliCompressSync(bytes),
+};
 
 /** What a bare address loads before it is idle, what may follow, and the fonts, which do not compress. */
 export function partsOfPage() {
-  const html = readFileSync(join(folder, "index.html"), "utf8");
-  const isFirst = (file) =>
-    smallCore.test(file) || html.includes(`./assets/${file}"`) || html.includes(`src="./${file}"`);
+  const html = readFileSync(join(folder, "index.html"), "utf8").replace(sleepingLink, "");
+  const isFirst = (file) => smallCore.test(file) || html.includes(`./assets/${file}"`);
   const files = readdirSync(join(folder, "assets")).map((file) => ({
     ...part(join("assets", file), nameOf(file)),
     file,
@@ -30,6 +52,11 @@ export function partsOfPage() {
 
 export const gzipTotal = (parts) => parts.reduce((sum, { gzip }) => sum + gzip, 0);
 
+/** The bytes of a part as brotli, which takes a while. */
+export function brotliOf({ path, bytes }) {
+  return font.test(path) ? bytes : encodings.br(readFileSync(join(folder, path))).length;
+}
+
 /** The name of a built file without the hash of its content. */
 function nameOf(file) {
   return file.replace(/-[\w-]{8}(?=\.\w+$)/, "");
@@ -37,6 +64,6 @@ function nameOf(file) {
 
 function part(path, name) {
   const bytes = readFileSync(join(folder, path));
-  const gzip = font.test(path) ? bytes.length : gzipSync(bytes, { level: 9 }).length;
-  return { name, bytes: bytes.length, gzip };
+  const gzip = font.test(path) ? bytes.length : encodings.gzip(bytes).length;
+  return { name, path, bytes: bytes.length, gzip };
 }

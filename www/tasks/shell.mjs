@@ -47,9 +47,9 @@ export function run(command, ...args) {
 }
 
 /** The exit code of a program whose output is handed on as it comes; undefined where there is no such program. */
-function listenTo(command, args, hear) {
+function listenTo(command, args, hear, { folder = root, environment = process.env } = {}) {
   return new Promise((resolve) => {
-    const child = spawn(command, args, { cwd: root, shell: isWindows });
+    const child = spawn(command, args, { cwd: folder, env: environment, shell: isWindows });
     child.stdout.on("data", hear);
     child.stderr.on("data", hear);
     child.on("error", (error) => {
@@ -77,18 +77,19 @@ export async function runTogether(...commands) {
 }
 
 /**
- * Runs a program with its output in a log. If it fails, one line says what could not be done, why
- * as far as the program told, and what to do.
+ * Runs a program with its output in a log, here or in another folder. If it fails, one line says what
+ * could not be done, why as far as the program told, and what to do.
  */
-export async function runQuietly({ task, advice }, command, ...args) {
+export async function runQuietly({ task, advice, ...place }, command, ...args) {
   mkdirSync(join(root, "target"), { recursive: true });
   const logFile = join("target", `${task.replaceAll(" ", "-")}.log`);
   const log = createWriteStream(join(root, logFile));
   let output = "";
-  const status = await listenTo(command, args, (chunk) => {
+  const hear = (chunk) => {
     log.write(chunk);
     output = (output + chunk).slice(-longestReason);
-  });
+  };
+  const status = await listenTo(command, args, hear, place);
   log.end();
   if (status === 0) return;
   const reason = output.split("\n").find((line) => /\berror\b|failed|could not/i.test(line)) ?? "";

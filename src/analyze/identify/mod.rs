@@ -30,7 +30,7 @@ use crate::contract::{
 };
 use crate::convention::{Direction, Function};
 use crate::library::behaviour::{Behaviour, BehaviourAxis};
-use crate::library::{Language, libraries};
+use crate::library::{Language, essentials};
 use crate::problem::is_too_long;
 
 /// Noise of single precision, after a few operations on numbers of size 1.
@@ -295,16 +295,25 @@ fn labels(directions: &[Direction]) -> Vec<Labels> {
 
 /// The records that agree, those that say most first.
 fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
-    let mut found: Vec<LibraryMatch> = libraries()
+    let found: Vec<LibraryMatch> = essentials()
         .iter()
-        .filter(|library| possible.iter().any(|behaviour| behaviour.is_of(library)))
+        .filter(|library| {
+            possible
+                .iter()
+                .any(|behaviour| behaviour.agrees_with(library))
+        })
         .map(|library| LibraryMatch {
-            id: library.id.clone(),
+            id: library.id.to_owned(),
             unestablished: library.unestablished(),
         })
         .collect();
-    found.sort_by_key(|library| library.unestablished.len());
-    found
+    // Few may be missing, and a sort would add 2 kB to the wasm.
+    let with = |missing| {
+        let found = found.iter();
+        found.filter(move |library| library.unestablished.len() == missing)
+    };
+    let most = BehaviourAxis::ALL.len();
+    (0..=most).flat_map(with).cloned().collect()
 }
 
 /// The probes that may be proposed; of equally good ones the first is.

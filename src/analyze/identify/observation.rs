@@ -4,6 +4,7 @@ use crate::analyze::identify::prediction::{Numbers, Printed, Question};
 use crate::contract::probe::{MatrixLayout, Probe};
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
+use crate::decimal::nearest_double;
 use crate::library::{Language, stores_columns};
 use crate::motion::perturbation::exponential;
 use crate::problem::fault::Fault;
@@ -102,7 +103,7 @@ fn in_field(field: Field) -> impl Fn(Fault) -> Problem {
 /// How far the numbers may be rounded: half a unit of the last decimal, of what was printed and of
 /// what went in, whichever is more.
 pub(crate) fn rounding(probe: &Probe) -> f64 {
-    let half_unit = |decimals: usize| 0.5 * 0.1_f64.powf(decimals as f64);
+    let half_unit = |decimals: usize| nearest_double(&format!("5e-{}", decimals + 1));
     let inputs = probe.inputs().into_iter();
     let rounded = inputs
         .map(decimals)

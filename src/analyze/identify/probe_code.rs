@@ -1,5 +1,6 @@
 //! Probes as lines of code to paste, with names that stand for the library's own.
 
+use crate::analyze::plain_numbers::is_decimal;
 use crate::contract::probe::Probe;
 use crate::library::Language;
 use crate::problem::is_too_long;
@@ -144,15 +145,15 @@ const TURN: &str = "turn the body by +90 degrees about the vertical z axis of th
 pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
     let idiom = match language {
         // A message has no calls; Python is what most of its tools are written in.
-        Language::Python | Language::Message => PYTHON,
-        Language::C => C,
-        Language::Cpp => CPP,
-        Language::Csharp => CSHARP,
-        Language::Java => JAVA,
-        Language::Javascript => JAVASCRIPT,
-        Language::Matlab => MATLAB,
-        Language::Rust => RUST,
-        Language::Swift => SWIFT,
+        Language::Python | Language::Message => &PYTHON,
+        Language::C => &C,
+        Language::Cpp => &CPP,
+        Language::Csharp => &CSHARP,
+        Language::Java => &JAVA,
+        Language::Javascript => &JAVASCRIPT,
+        Language::Matlab => &MATLAB,
+        Language::Rust => &RUST,
+        Language::Swift => &SWIFT,
     };
     let list = |text: &str, count: usize| {
         if is_too_long(text) {
@@ -161,8 +162,7 @@ pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
         let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
         let numbers = text.split(separators).filter(|part| !part.is_empty());
         let written = numbers.map(|number| {
-            number.parse::<f64>().ok()?;
-            Some(match language {
+            is_decimal(number).then(|| match language {
                 Language::Rust if !number.contains('.') => format!("{number}.0"),
                 _ => number.to_owned(),
             })

@@ -1,7 +1,7 @@
 //! The sentences of problems of Euler sequences and of their frames.
 
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 impl Fault {
@@ -26,61 +26,59 @@ impl Fault {
     }
 
     pub(crate) fn unknown_sequence(span: Span, written: &str) -> Self {
-        let letters: Vec<char> = written
-            .chars()
-            .filter(|mark| mark.is_alphanumeric())
-            .collect();
-        let follows_itself = letters
-            .windows(2)
-            .any(|pair| pair[0].eq_ignore_ascii_case(&pair[1]));
-        let is_mixed = letters.iter().any(char::is_ascii_lowercase)
-            && letters.iter().any(char::is_ascii_uppercase);
-        let written = shorten(written, QUOTED_CHARACTERS);
-        let (message, hint) = match (letters.len(), follows_itself, is_mixed) {
-            (3, true, _) => (
-                format!("{written} is not an Euler sequence: one axis twice in a row"),
-                "write the sequence you mean, such as ZYX or ZXZ",
-            ),
-            (3, false, true) => (
-                format!("{written} mixes capitals (moving axes) and small letters (fixed axes)"),
-                "write ZYX for moving axes (intrinsic), or zyx for fixed axes (extrinsic)",
-            ),
-            _ => (
-                format!("{written} is not an Euler sequence"),
-                "write a sequence such as ZYX, zyx or 3-2-1",
-            ),
-        };
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            message,
-            "three axes, no two equal in a row",
-            hint,
-        )
+        Self::told(ProblemCode::UnknownSequence, span, || {
+            let letters: Vec<char> = written
+                .chars()
+                .filter(|mark| mark.is_alphanumeric())
+                .collect();
+            let follows_itself = letters
+                .windows(2)
+                .any(|pair| pair[0].eq_ignore_ascii_case(&pair[1]));
+            let is_mixed = letters.iter().any(char::is_ascii_lowercase)
+                && letters.iter().any(char::is_ascii_uppercase);
+            let written = shorten(written, QUOTED_CHARACTERS);
+            let (message, hint) = match (letters.len(), follows_itself, is_mixed) {
+                (3, true, _) => (
+                    format!("{written} is not an Euler sequence: one axis twice in a row"),
+                    "write the sequence you mean, such as ZYX or ZXZ",
+                ),
+                (3, false, true) => (
+                    format!(
+                        "{written} mixes capitals (moving axes) and small letters (fixed axes)"
+                    ),
+                    "write ZYX for moving axes (intrinsic), or zyx for fixed axes (extrinsic)",
+                ),
+                _ => (
+                    format!("{written} is not an Euler sequence"),
+                    "write a sequence such as ZYX, zyx or 3-2-1",
+                ),
+            };
+            Words::new(message, "three axes, no two equal in a row", hint)
+        })
     }
 
     pub(crate) fn contradicting_frame(span: Span, written: &str) -> Self {
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            format!("the first letter of {written} contradicts the word beside it"),
-            "s for static (extrinsic) axes, r for rotating (intrinsic) axes, or the word alone",
-            "remove the letter or the word",
-        )
+        Self::told(ProblemCode::UnknownSequence, span, || {
+            Words::new(
+                format!("the first letter of {written} contradicts the word beside it"),
+                "s for static (extrinsic) axes, r for rotating (intrinsic) axes, or the word alone",
+                "remove the letter or the word",
+            )
+        })
     }
 
     pub(crate) fn frame_against_name(span: Span, named: EulerSequence) -> Self {
-        let (name, letters, frame) = match named.frame {
-            EulerFrame::Extrinsic => ("rpy", "intrinsic xyz", "fixed axes x, y, z"),
-            EulerFrame::Intrinsic => ("ypr", "extrinsic zyx", "moving axes z, y, x"),
-        };
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            format!("{name} means {frame}, which contradicts the word beside it"),
-            "a sequence in letters after this word",
-            format!("write {letters} if that is what you mean, or {name} alone"),
-        )
+        Self::told(ProblemCode::UnknownSequence, span, || {
+            let (name, letters, frame) = match named.frame {
+                EulerFrame::Extrinsic => ("rpy", "intrinsic xyz", "fixed axes x, y, z"),
+                EulerFrame::Intrinsic => ("ypr", "extrinsic zyx", "moving axes z, y, x"),
+            };
+            Words::new(
+                format!("{name} means {frame}, which contradicts the word beside it"),
+                "a sequence in letters after this word",
+                format!("write {letters} if that is what you mean, or {name} alone"),
+            )
+        })
     }
 
     pub(crate) fn frame_without_sequence(span: Span) -> Self {
@@ -94,24 +92,24 @@ impl Fault {
     }
 
     pub(crate) fn sequence_of_two_axes(span: Span, written: &str) -> Self {
-        let written = shorten(written, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            format!("{written} has one axis twice, but roll, pitch and yaw have three axes"),
-            "a sequence of three different axes, or angles without these names",
-            format!("write the angles in the order of the axes: {written} 10deg 20deg 30deg"),
-        )
+        Self::told(ProblemCode::UnknownSequence, span, || {
+            let written = shorten(written, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{written} has one axis twice, but roll, pitch and yaw have three axes"),
+                "a sequence of three different axes, or angles without these names",
+                format!("write the angles in the order of the axes: {written} 10deg 20deg 30deg"),
+            )
+        })
     }
 
     pub(crate) fn sequence_of_named_angles(span: Span, written: &str) -> Self {
-        let written = shorten(written, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownSequence,
-            span,
-            format!("with roll, pitch and yaw, {written} does not say whether its axes move"),
-            "a word that says it, or the names alone (fixed axes x, y, z)",
-            format!("write intrinsic {written}: or extrinsic {written}: before them"),
-        )
+        Self::told(ProblemCode::UnknownSequence, span, || {
+            let written = shorten(written, QUOTED_CHARACTERS);
+            Words::new(
+                format!("with roll, pitch and yaw, {written} does not say whether its axes move"),
+                "a word that says it, or the names alone (fixed axes x, y, z)",
+                format!("write intrinsic {written}: or extrinsic {written}: before them"),
+            )
+        })
     }
 }

@@ -1,27 +1,27 @@
 //! The sentences of problems of translation and identification.
 
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 impl Fault {
     pub(crate) fn unknown_library(span: Span, id: &str) -> Self {
-        Self::new(
-            ProblemCode::UnknownLibrary,
-            span,
-            format!("no library has the id {:?}", shorten(id, QUOTED_CHARACTERS)),
-            "the id of a library in the table",
-            "choose a library from the list",
-        )
+        Self::told(ProblemCode::UnknownLibrary, span, || {
+            Words::new(
+                format!("no library has the id {:?}", shorten(id, QUOTED_CHARACTERS)),
+                "the id of a library in the table",
+                "choose a library from the list",
+            )
+        })
     }
 
     pub(crate) fn unknown_axes(span: Span, message: String) -> Self {
-        Self::new(
-            ProblemCode::UnknownAxes,
-            span,
-            message,
-            "new axes in terms of the old ones, or two named systems of axes",
-            "y x -z, or NED to ENU",
-        )
+        Self::told(ProblemCode::UnknownAxes, span, || {
+            Words::new(
+                message,
+                "new axes in terms of the old ones, or two named systems of axes",
+                "y x -z, or NED to ENU",
+            )
+        })
     }
 
     pub(crate) fn one_sided_reflection(span: Span) -> Self {
@@ -35,12 +35,12 @@ impl Fault {
     }
 
     pub(crate) fn not_a_matrix(span: Span, what: &str) -> Self {
-        Self::new(
-            ProblemCode::NotAMatrix,
-            span,
-            format!("this is {what}, a matrix is needed here"),
-            "nine numbers, three in each row",
-            "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]",
-        )
+        Self::told(ProblemCode::NotAMatrix, span, || {
+            Words::new(
+                format!("this is {what}, a matrix is needed here"),
+                "nine numbers, three in each row",
+                "[[0, 0, 1], [1, 0, 0], [0, 1, 0]]",
+            )
+        })
     }
 }

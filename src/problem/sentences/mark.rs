@@ -5,7 +5,7 @@ use crate::character::is_dash;
 use crate::character::is_space_of_numbers;
 use crate::character::is_visible;
 use crate::character::{decorates, plain_character};
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 impl Fault {
@@ -19,18 +19,18 @@ impl Fault {
                 "replace the ? by the number",
             );
         }
-        let shown = if is_visible(character) {
-            character.to_string()
-        } else {
-            format!("U+{:04X}", u32::from(character))
-        };
-        Self::new(
-            ProblemCode::UnexpectedCharacter,
-            span,
-            format!("unexpected character {shown}"),
-            "digits, names, brackets and the signs + - * / √ , : =",
-            hint_about(character),
-        )
+        Self::told(ProblemCode::UnexpectedCharacter, span, || {
+            let shown = if is_visible(character) {
+                character.to_string()
+            } else {
+                format!("U+{:04X}", u32::from(character))
+            };
+            Words::new(
+                format!("unexpected character {shown}"),
+                "digits, names, brackets and the signs + - * / √ , : =",
+                hint_about(character),
+            )
+        })
     }
 
     pub(crate) fn loose_sign(span: Span) -> Self {
@@ -44,14 +44,14 @@ impl Fault {
     }
 
     pub(crate) fn repeated_sign(span: Span, signs: &str) -> Self {
-        let signs = shorten(signs, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            format!("several signs ({signs}) in a row"),
-            "at most one sign before a number",
-            "write the one sign you mean",
-        )
+        Self::told(ProblemCode::Unexpected, span, || {
+            let signs = shorten(signs, QUOTED_CHARACTERS);
+            Words::new(
+                format!("several signs ({signs}) in a row"),
+                "at most one sign before a number",
+                "write the one sign you mean",
+            )
+        })
     }
 
     pub(crate) fn trailing_sign(span: Span) -> Self {
@@ -65,14 +65,14 @@ impl Fault {
     }
 
     pub(crate) fn run_together(span: Span, written: &str) -> Self {
-        let written = shorten(written, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            format!("{written} may be a difference, or two numbers that run together"),
-            "a space or a comma between two numbers",
-            "write a space before the sign, or compute the difference",
-        )
+        Self::told(ProblemCode::Unexpected, span, || {
+            let written = shorten(written, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{written} may be a difference, or two numbers that run together"),
+                "a space or a comma between two numbers",
+                "write a space before the sign, or compute the difference",
+            )
+        })
     }
 
     pub(crate) fn grouped_digits(span: Span) -> Self {
@@ -86,31 +86,31 @@ impl Fault {
     }
 
     pub(crate) fn drawn_line(span: Span, drawn: &str) -> Self {
-        let drawn = shorten(drawn, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnexpectedCharacter,
-            span,
-            format!("{drawn} is a line-drawing character: part of a frame, or a sign"),
-            "- before a negative number, spaces around a drawn frame",
-            "write - for a minus, or a space in its place",
-        )
+        Self::told(ProblemCode::UnexpectedCharacter, span, || {
+            let drawn = shorten(drawn, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{drawn} is a line-drawing character: part of a frame, or a sign"),
+                "- before a negative number, spaces around a drawn frame",
+                "write - for a minus, or a space in its place",
+            )
+        })
     }
 
     /// A character that is not seen, or hardly, between the digits of what looks like one number.
     pub(crate) fn hidden_in_number(span: Span, character: char) -> Self {
-        let named = hidden_name(character);
-        let seen = if is_space_of_numbers(character) {
-            "may group the digits of one number or separate two"
-        } else {
-            "is invisible and splits what looks like one number"
-        };
-        Self::new(
-            ProblemCode::UnexpectedCharacter,
-            span,
-            format!("{named} {seen}"),
-            "digits without gaps, or a plain space between two numbers",
-            "remove it, or write a plain space between two numbers",
-        )
+        Self::told(ProblemCode::UnexpectedCharacter, span, || {
+            let named = hidden_name(character);
+            let seen = if is_space_of_numbers(character) {
+                "may group the digits of one number or separate two"
+            } else {
+                "is invisible and splits what looks like one number"
+            };
+            Words::new(
+                format!("{named} {seen}"),
+                "digits without gaps, or a plain space between two numbers",
+                "remove it, or write a plain space between two numbers",
+            )
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! The sentences of problems of matrices.
 
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
@@ -23,85 +23,89 @@ pub(crate) enum Mirror {
 
 impl Fault {
     pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
-        let (shape, hint) = match found {
-            16 => (" (4 by 4)", UPPER_LEFT),
-            12 => (" (3 by 4)", UPPER_LEFT),
-            _ => (
-                "",
-                "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
-            ),
-        };
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{}{shape}: a rotation matrix has 9", numbers(found)),
-            THREE_ROWS,
-            hint,
-        )
+        Self::told(ProblemCode::WrongCount, span, || {
+            let (shape, hint) = match found {
+                16 => (" (4 by 4)", UPPER_LEFT),
+                12 => (" (3 by 4)", UPPER_LEFT),
+                _ => (
+                    "",
+                    "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
+                ),
+            };
+            Words::new(
+                format!("{}{shape}: a rotation matrix has 9", numbers(found)),
+                THREE_ROWS,
+                hint,
+            )
+        })
     }
 
     pub(crate) fn missing_vector(span: Span, names: &[String]) -> Self {
-        let verb = if names.len() == 1 { "is" } else { "are" };
-        Self::new(
-            ProblemCode::MissingComponent,
-            span,
-            format!("{} {verb} missing", names.join(" and ")),
-            "three vectors of three numbers",
-            "add it; right-handed axes have z = x × y, x = y × z and y = z × x",
-        )
+        Self::told(ProblemCode::MissingComponent, span, || {
+            let verb = if names.len() == 1 { "is" } else { "are" };
+            Words::new(
+                format!("{} {verb} missing", names.join(" and ")),
+                "three vectors of three numbers",
+                "add it; right-handed axes have z = x × y, x = y × z and y = z × x",
+            )
+        })
     }
 
     pub(crate) fn matrix_shape(span: Span, rows: &[usize]) -> Self {
-        let first = rows.first().copied().unwrap_or_default();
-        let is_even = rows.iter().all(|length| *length == first);
-        let message = if is_even {
-            format!(
-                "{} rows of {first}: a rotation matrix is 3 by 3",
-                rows.len()
-            )
-        } else {
-            "rows of different lengths: a rotation matrix is 3 by 3".to_owned()
-        };
-        let hint = match (rows.len(), is_even, first) {
-            (3 | 4, true, 4) => UPPER_LEFT,
-            _ => "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
-        };
-        Self::new(ProblemCode::WrongCount, span, message, THREE_ROWS, hint)
+        Self::told(ProblemCode::WrongCount, span, || {
+            let first = rows.first().copied().unwrap_or_default();
+            let is_even = rows.iter().all(|length| *length == first);
+            let message = if is_even {
+                format!(
+                    "{} rows of {first}: a rotation matrix is 3 by 3",
+                    rows.len()
+                )
+            } else {
+                "rows of different lengths: a rotation matrix is 3 by 3".to_owned()
+            };
+            let hint = match (rows.len(), is_even, first) {
+                (3 | 4, true, 4) => UPPER_LEFT,
+                _ => "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+            };
+            Words::new(message, THREE_ROWS, hint)
+        })
     }
 
     pub(crate) fn rows_or_columns(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("the layout of {name} depends on the library: rows, columns or row vectors"),
-            "a known layout, such as Eigen::Matrix3d or nalgebra::Matrix3::new",
-            "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!(
+                    "the layout of {name} depends on the library: rows, columns or row vectors"
+                ),
+                "a known layout, such as Eigen::Matrix3d or nalgebra::Matrix3::new",
+                "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
+            )
+        })
     }
 
     pub(crate) fn reflection(span: Span, mirror: Mirror) -> Self {
-        let (what, hint) = match mirror {
-            Mirror::All => (
-                "all three axes are flipped".to_owned(),
-                "change the sign of all nine numbers".to_owned(),
-            ),
-            Mirror::Axis(axis) => (
-                format!("the {} axis is flipped", AXES[axis]),
-                format!("change the sign of the {} column", ORDINALS[axis]),
-            ),
-            Mirror::Nearest(axis) => (
-                format!("one axis is flipped, perhaps {}", AXES[axis]),
-                format!("change the sign of the {} column", ORDINALS[axis]),
-            ),
-        };
-        Self::new(
-            ProblemCode::Reflection,
-            span,
-            format!("this matrix is a reflection, not a rotation: {what}"),
-            "a determinant of +1",
-            format!("{hint}, or check for left-handed axes"),
-        )
+        Self::told(ProblemCode::Reflection, span, || {
+            let (what, hint) = match mirror {
+                Mirror::All => (
+                    "all three axes are flipped".to_owned(),
+                    "change the sign of all nine numbers".to_owned(),
+                ),
+                Mirror::Axis(axis) => (
+                    format!("the {} axis is flipped", AXES[axis]),
+                    format!("change the sign of the {} column", ORDINALS[axis]),
+                ),
+                Mirror::Nearest(axis) => (
+                    format!("one axis is flipped, perhaps {}", AXES[axis]),
+                    format!("change the sign of the {} column", ORDINALS[axis]),
+                ),
+            };
+            Words::new(
+                format!("this matrix is a reflection, not a rotation: {what}"),
+                "a determinant of +1",
+                format!("{hint}, or check for left-handed axes"),
+            )
+        })
     }
 
     pub(crate) fn singular_matrix(span: Span) -> Self {
@@ -115,13 +119,13 @@ impl Fault {
     }
 
     pub(crate) fn scaled_rotation(span: Span, scale: f64) -> Self {
-        Self::new(
-            ProblemCode::NotARotation,
-            span,
-            format!("this is a rotation matrix times {}", short(scale)),
-            "columns of length 1",
-            format!("divide all nine numbers by {}", short(scale)),
-        )
+        Self::told(ProblemCode::NotARotation, span, || {
+            Words::new(
+                format!("this is a rotation matrix times {}", short(scale)),
+                "columns of length 1",
+                format!("divide all nine numbers by {}", short(scale)),
+            )
+        })
     }
 
     pub(crate) fn zero_matrix(span: Span) -> Self {
@@ -135,18 +139,18 @@ impl Fault {
     }
 
     pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3], correction: Option<f64>) -> Self {
-        let [x, y, z] = lengths.map(short);
-        let far = match correction {
-            Some(correction) => format!("{} away from the nearest rotation", short(correction)),
-            None => "far from a rotation".to_owned(),
-        };
-        Self::new(
-            ProblemCode::NotARotation,
-            span,
-            format!("this matrix is {far}: column lengths {x}, {y}, {z}"),
-            "columns of length 1 at right angles",
-            "check for a missing sign, or for numbers of something else",
-        )
+        Self::told(ProblemCode::NotARotation, span, || {
+            let [x, y, z] = lengths.map(short);
+            let far = match correction {
+                Some(correction) => format!("{} away from the nearest rotation", short(correction)),
+                None => "far from a rotation".to_owned(),
+            };
+            Words::new(
+                format!("this matrix is {far}: column lengths {x}, {y}, {z}"),
+                "columns of length 1 at right angles",
+                "check for a missing sign, or for numbers of something else",
+            )
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The sentences of the problems that are about rotations and what stands for them.
 
 use crate::convention::angle::AngleUnit;
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::sentences::matrix::{UPPER_LEFT, numbers};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
@@ -13,29 +13,29 @@ const AXIS: &str = "an axis: x, y, z, -x, …, or three numbers";
 
 impl Fault {
     pub(crate) fn not_applied(span: Span, name: &str, wanted: Wanted) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{name} is not supported here"),
-            wanted.in_words(),
-            match wanted {
-                Wanted::Quaternion => {
-                    "write the resulting numbers, or the rotation in words: 45deg about z"
-                }
-                Wanted::Vector => "write the numbers of the vector",
-            },
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} is not supported here"),
+                wanted.in_words(),
+                match wanted {
+                    Wanted::Quaternion => {
+                        "write the resulting numbers, or the rotation in words: 45deg about z"
+                    }
+                    Wanted::Vector => "write the numbers of the vector",
+                },
+            )
+        })
     }
 
     pub(crate) fn not_a_quaternion(span: Span, what: &str) -> Self {
-        Self::new(
-            ProblemCode::NotAQuaternion,
-            span,
-            format!("this is {what}, a quaternion is needed here"),
-            "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k",
-            "write the four numbers of its quaternion",
-        )
+        Self::told(ProblemCode::NotAQuaternion, span, || {
+            Words::new(
+                format!("this is {what}, a quaternion is needed here"),
+                "a quaternion: four numbers, named components, or a sum such as 0.92 + 0.38k",
+                "write the four numbers of its quaternion",
+            )
+        })
     }
 
     pub(crate) fn number_before_list(span: Span) -> Self {
@@ -49,14 +49,14 @@ impl Fault {
     }
 
     pub(crate) fn call_before_list(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{name} is not supported before a list"),
-            "the list alone, or a call that holds it",
-            "write the resulting numbers, or remove it if it only counts",
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} is not supported before a list"),
+                "the list alone, or a call that holds it",
+                "write the resulting numbers, or remove it if it only counts",
+            )
+        })
     }
 
     pub(crate) fn angle_for_number(span: Span) -> Self {
@@ -90,25 +90,27 @@ impl Fault {
     }
 
     pub(crate) fn wrong_count(span: Span, wanted: Wanted, found: usize) -> Self {
-        let (expected, hint) = match wanted {
-            Wanted::Quaternion => count_of_rotation(found),
-            Wanted::Vector if found > 3 => (
-                "three numbers: x, y, z",
-                "keep the three numbers of one vector; the decimal sign is a point",
-            ),
-            Wanted::Vector => ("three numbers: x, y, z", "add the missing numbers: 1 0 0"),
-        };
-        let message = if wanted == Wanted::Quaternion && found > 5 && found != 9 {
-            format!("{found} numbers: a quaternion has 4, a matrix 9")
-        } else {
-            format!(
-                "{}: a {} has {}",
-                numbers(found),
-                wanted.name(),
-                wanted.count()
-            )
-        };
-        Self::new(ProblemCode::WrongCount, span, message, expected, hint)
+        Self::told(ProblemCode::WrongCount, span, || {
+            let (expected, hint) = match wanted {
+                Wanted::Quaternion => count_of_rotation(found),
+                Wanted::Vector if found > 3 => (
+                    "three numbers: x, y, z",
+                    "keep the three numbers of one vector; the decimal sign is a point",
+                ),
+                Wanted::Vector => ("three numbers: x, y, z", "add the missing numbers: 1 0 0"),
+            };
+            let message = if wanted == Wanted::Quaternion && found > 5 && found != 9 {
+                format!("{found} numbers: a quaternion has 4, a matrix 9")
+            } else {
+                format!(
+                    "{}: a {} has {}",
+                    numbers(found),
+                    wanted.name(),
+                    wanted.count()
+                )
+            };
+            Words::new(message, expected, hint)
+        })
     }
 
     pub(crate) fn scalar_in_vector(span: Span) -> Self {
@@ -162,28 +164,28 @@ impl Fault {
     }
 
     pub(crate) fn unknown_axis(span: Span, word: &str) -> Self {
-        let word = shorten(word, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{word} is not an axis"),
-            AXIS,
-            "write the axis as three numbers: [0, 0, 1] is z",
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let word = shorten(word, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{word} is not an axis"),
+                AXIS,
+                "write the axis as three numbers: [0, 0, 1] is z",
+            )
+        })
     }
 
     pub(crate) fn count_of_angles(span: Span, found: usize, what: &str) -> Self {
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{}: 3 are needed", numbers(found)),
-            what,
-            if found < 3 {
-                "add what is missing; it may be 0"
-            } else {
-                "keep the three of one rotation; the decimal sign is a point"
-            },
-        )
+        Self::told(ProblemCode::WrongCount, span, || {
+            Words::new(
+                format!("{}: 3 are needed", numbers(found)),
+                what,
+                if found < 3 {
+                    "add what is missing; it may be 0"
+                } else {
+                    "keep the three of one rotation; the decimal sign is a point"
+                },
+            )
+        })
     }
 
     pub(crate) fn one_angle(span: Span) -> Self {
@@ -207,25 +209,25 @@ impl Fault {
     }
 
     pub(crate) fn missing_part(span: Span, names: &[&str]) -> Self {
-        let verb = if names.len() == 1 { "is" } else { "are" };
-        let examples: Vec<_> = names.iter().map(|name| format!("{name}=0")).collect();
-        Self::new(
-            ProblemCode::MissingComponent,
-            span,
-            format!("{} {verb} missing", names.join(", ")),
-            "all of roll, pitch and yaw",
-            format!("add {} if that is what you mean", examples.join(", ")),
-        )
+        Self::told(ProblemCode::MissingComponent, span, || {
+            let verb = if names.len() == 1 { "is" } else { "are" };
+            let examples: Vec<_> = names.iter().map(|name| format!("{name}=0")).collect();
+            Words::new(
+                format!("{} {verb} missing", names.join(", ")),
+                "all of roll, pitch and yaw",
+                format!("add {} if that is what you mean", examples.join(", ")),
+            )
+        })
     }
 
     pub(crate) fn duplicate_part(span: Span, name: &str) -> Self {
-        Self::new(
-            ProblemCode::DuplicateComponent,
-            span,
-            format!("{name} appears twice"),
-            "each name once",
-            format!("remove one {name}"),
-        )
+        Self::told(ProblemCode::DuplicateComponent, span, || {
+            Words::new(
+                format!("{name} appears twice"),
+                "each name once",
+                format!("remove one {name}"),
+            )
+        })
     }
 
     pub(crate) fn mixed_parts(span: Span) -> Self {
@@ -239,36 +241,36 @@ impl Fault {
     }
 
     pub(crate) fn unknown_keyword(span: Span, word: &str) -> Self {
-        let word = shorten(word, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{word} does not say what these numbers are"),
-            "four numbers, or a known word before the numbers",
-            ANNOUNCEMENTS,
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let word = shorten(word, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{word} does not say what these numbers are"),
+                "four numbers, or a known word before the numbers",
+                ANNOUNCEMENTS,
+            )
+        })
     }
 
     pub(crate) fn unknown_arguments(span: Span, name: &str, expected: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("wrong arguments for {name}"),
-            expected,
-            "write them in this order, or the rotation in words: 45deg about z",
-        )
+        Self::told(ProblemCode::WrongCount, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("wrong arguments for {name}"),
+                expected,
+                "write them in this order, or the rotation in words: 45deg about z",
+            )
+        })
     }
 
     pub(crate) fn axis_not_normalised(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::NotARotation,
-            span,
-            format!("{name} does not normalise its axis: this one makes no rotation"),
-            "an axis of length 1",
-            "divide the axis by its length, or write the rotation in words: 45deg about [1, 1, 0]",
-        )
+        Self::told(ProblemCode::NotARotation, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} does not normalise its axis: this one makes no rotation"),
+                "an axis of length 1",
+                "divide the axis by its length, or write the rotation in words: 45deg about [1, 1, 0]",
+            )
+        })
     }
 
     pub(crate) fn unit_of_tangents(span: Span) -> Self {
@@ -332,17 +334,17 @@ impl Fault {
     }
 
     pub(crate) fn missing_unit(span: Span, unit: AngleUnit) -> Self {
-        let name = match unit {
-            AngleUnit::Degrees => "deg",
-            AngleUnit::Radians => "rad",
-        };
-        Self::new(
-            ProblemCode::MixedUnits,
-            span,
-            "this angle has no unit, but another one has",
-            "a unit after every angle, or one at the end for all, after a space",
-            format!("write {name} right after it, or once at the end after a space"),
-        )
+        Self::told(ProblemCode::MixedUnits, span, || {
+            let name = match unit {
+                AngleUnit::Degrees => "deg",
+                AngleUnit::Radians => "rad",
+            };
+            Words::new(
+                "this angle has no unit, but another one has",
+                "a unit after every angle, or one at the end for all, after a space",
+                format!("write {name} right after it, or once at the end after a space"),
+            )
+        })
     }
 }
 

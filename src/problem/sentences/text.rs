@@ -1,38 +1,34 @@
 //! The sentences of problems of text and numbers.
 
-use crate::problem::fault::Fault;
+use crate::problem::fault::{Fault, Words};
 use crate::problem::sentences::matrix::numbers;
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 impl Fault {
     pub(crate) fn empty_text(span: Span, wanted: Wanted) -> Self {
-        Self::new(
-            ProblemCode::EmptyText,
-            span,
-            "the text is empty",
-            wanted.in_words(),
-            wanted.example(),
-        )
+        Self::told(ProblemCode::EmptyText, span, || {
+            Words::new("the text is empty", wanted.in_words(), wanted.example())
+        })
     }
 
     pub(crate) fn text_too_long(span: Span, bytes: usize, most: usize) -> Self {
-        Self::new(
-            ProblemCode::TextTooLong,
-            span,
-            format!("the text has {bytes} bytes; at most {most} are read"),
-            "one quaternion or one vector",
-            "paste only the lines with the numbers",
-        )
+        Self::told(ProblemCode::TextTooLong, span, || {
+            Words::new(
+                format!("the text has {bytes} bytes; at most {most} are read"),
+                "one quaternion or one vector",
+                "paste only the lines with the numbers",
+            )
+        })
     }
 
     pub(crate) fn nested_too_deep(span: Span, most: usize) -> Self {
-        Self::new(
-            ProblemCode::NestedTooDeep,
-            span,
-            format!("more than {most} nested brackets"),
-            format!("at most {most} nested brackets"),
-            "remove the outer brackets",
-        )
+        Self::told(ProblemCode::NestedTooDeep, span, || {
+            Words::new(
+                format!("more than {most} nested brackets"),
+                format!("at most {most} nested brackets"),
+                "remove the outer brackets",
+            )
+        })
     }
 
     pub(crate) fn method(span: Span) -> Self {
@@ -76,27 +72,23 @@ impl Fault {
     }
 
     pub(crate) fn unexpected(span: Span, found: &str) -> Self {
-        // `0..38`, or two numbers that touch.
-        let is_fraction = found.starts_with('.');
-        let found = shorten(found, QUOTED_CHARACTERS);
-        let (message, hint) = if is_fraction {
-            (
-                format!("unexpected “{found}” (did you mean 0{found}?)"),
-                "remove one point, or write a space between two numbers",
-            )
-        } else {
-            (
-                format!("unexpected “{found}”"),
-                "remove it, or add what is missing before it",
-            )
-        };
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            message,
-            "a number or a name",
-            hint,
-        )
+        Self::told(ProblemCode::Unexpected, span, || {
+            // `0..38`, or two numbers that touch.
+            let is_fraction = found.starts_with('.');
+            let found = shorten(found, QUOTED_CHARACTERS);
+            let (message, hint) = if is_fraction {
+                (
+                    format!("unexpected “{found}” (did you mean 0{found}?)"),
+                    "remove one point, or write a space between two numbers",
+                )
+            } else {
+                (
+                    format!("unexpected “{found}”"),
+                    "remove it, or add what is missing before it",
+                )
+            };
+            Words::new(message, "a number or a name", hint)
+        })
     }
 
     pub(crate) fn list_for_number(span: Span) -> Self {
@@ -120,13 +112,13 @@ impl Fault {
     }
 
     pub(crate) fn argument_count(span: Span, function: &str) -> Self {
-        Self::new(
-            ProblemCode::Unexpected,
-            span,
-            format!("{function} takes one number"),
-            "one number in the brackets",
-            format!("write one number: {function}(0.5)"),
-        )
+        Self::told(ProblemCode::Unexpected, span, || {
+            Words::new(
+                format!("{function} takes one number"),
+                "one number in the brackets",
+                format!("write one number: {function}(0.5)"),
+            )
+        })
     }
 
     pub(crate) fn missing_sign(span: Span) -> Self {
@@ -150,108 +142,104 @@ impl Fault {
     }
 
     pub(crate) fn unclosed_bracket(span: Span, opening: &str, closing: &str) -> Self {
-        Self::new(
-            ProblemCode::UnclosedBracket,
-            span,
-            format!("the bracket {opening} is never closed"),
-            format!("a closing {closing}"),
-            format!("add {closing} at the end, or remove this {opening}"),
-        )
+        Self::told(ProblemCode::UnclosedBracket, span, || {
+            Words::new(
+                format!("the bracket {opening} is never closed"),
+                format!("a closing {closing}"),
+                format!("add {closing} at the end, or remove this {opening}"),
+            )
+        })
     }
 
     pub(crate) fn unmatched_bracket(span: Span, found: &str, open: Option<&str>) -> Self {
-        match open {
-            Some(closing) => Self::new(
-                ProblemCode::UnmatchedBracket,
-                span,
+        Self::told(ProblemCode::UnmatchedBracket, span, || match open {
+            Some(closing) => Words::new(
                 format!("{found} does not close the open bracket"),
                 format!("a closing {closing}"),
                 format!("write {closing} instead"),
             ),
-            None => Self::new(
-                ProblemCode::UnmatchedBracket,
-                span,
+            None => Words::new(
                 format!("{found} without an opening bracket"),
                 "an opening bracket before it",
                 "remove it",
             ),
-        }
+        })
     }
 
     pub(crate) fn unknown_word(span: Span, word: &str) -> Self {
-        let word = shorten(word, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{word} is not a known number, unit or function"),
-            "a number; i, j, k; pi, tau; sqrt, abs, sin, cos, tan, asin, acos, atan",
-            "write the number",
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let word = shorten(word, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{word} is not a known number, unit or function"),
+                "a number; i, j, k; pi, tau; sqrt, abs, sin, cos, tan, asin, acos, atan",
+                "write the number",
+            )
+        })
     }
 
     pub(crate) fn duplicate_component(span: Span, name: &str) -> Self {
-        Self::new(
-            ProblemCode::DuplicateComponent,
-            span,
-            format!("the component {name} appears twice"),
-            "each component once",
-            format!("remove one {name}, or rename it"),
-        )
+        Self::told(ProblemCode::DuplicateComponent, span, || {
+            Words::new(
+                format!("the component {name} appears twice"),
+                "each component once",
+                format!("remove one {name}, or rename it"),
+            )
+        })
     }
 
     pub(crate) fn missing_component(span: Span, wanted: Wanted, names: &[&str]) -> Self {
-        let missing = names.join(", ");
-        let verb = if names.len() == 1 { "is" } else { "are" };
-        Self::new(
-            ProblemCode::MissingComponent,
-            span,
-            format!("{missing} {verb} missing"),
-            format!("all of {}", wanted.names()),
-            format!("add {}=0 if that is what you mean", names.join("=0, ")),
-        )
+        Self::told(ProblemCode::MissingComponent, span, || {
+            let missing = names.join(", ");
+            let verb = if names.len() == 1 { "is" } else { "are" };
+            Words::new(
+                format!("{missing} {verb} missing"),
+                format!("all of {}", wanted.names()),
+                format!("add {}=0 if that is what you mean", names.join("=0, ")),
+            )
+        })
     }
 
     pub(crate) fn unknown_component(span: Span, wanted: Wanted, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownComponent,
-            span,
-            format!("{name} is not a component"),
-            format!("the names {}", wanted.names()),
-            format!("use the names {}, or numbers only", wanted.names()),
-        )
+        Self::told(ProblemCode::UnknownComponent, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} is not a component"),
+                format!("the names {}", wanted.names()),
+                format!("use the names {}, or numbers only", wanted.names()),
+            )
+        })
     }
 
     pub(crate) fn derived_label(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownWord,
-            span,
-            format!("{name} is a rate, a variance or an inverse, not the rotation itself"),
-            "the numbers of the rotation",
-            "remove this name if the numbers are the rotation",
-        )
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} is a rate, a variance or an inverse, not the rotation itself"),
+                "the numbers of the rotation",
+                "remove this name if the numbers are the rotation",
+            )
+        })
     }
 
     pub(crate) fn unknown_argument(span: Span, name: &str) -> Self {
-        let name = shorten(name, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::UnknownComponent,
-            span,
-            format!("unknown argument {name}, which may change the numbers"),
-            "the numbers of the rotation and their unit",
-            "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
-        )
+        Self::told(ProblemCode::UnknownComponent, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("unknown argument {name}, which may change the numbers"),
+                "the numbers of the rotation and their unit",
+                "remove it, or write the rotation in words: ZYX 30deg 20deg 10deg",
+            )
+        })
     }
 
     pub(crate) fn not_one_number(span: Span, found: usize) -> Self {
-        Self::new(
-            ProblemCode::WrongCount,
-            span,
-            format!("{}: 1 is needed", numbers(found)),
-            "one number",
-            "0.5, 1/√2 or sin(pi/8)",
-        )
+        Self::told(ProblemCode::WrongCount, span, || {
+            Words::new(
+                format!("{}: 1 is needed", numbers(found)),
+                "one number",
+                "0.5, 1/√2 or sin(pi/8)",
+            )
+        })
     }
 
     pub(crate) fn decimal_comma(span: Span) -> Self {
@@ -285,24 +273,24 @@ impl Fault {
     }
 
     pub(crate) fn not_a_number(span: Span, written: &str) -> Self {
-        let written = shorten(written, QUOTED_CHARACTERS);
-        Self::new(
-            ProblemCode::NotANumber,
-            span,
-            format!("{written} is not a real number"),
-            "a finite number",
-            "check where it was computed: NaN often comes from a zero norm or acos beyond 1",
-        )
+        Self::told(ProblemCode::NotANumber, span, || {
+            let written = shorten(written, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{written} is not a real number"),
+                "a finite number",
+                "check where it was computed: NaN often comes from a zero norm or acos beyond 1",
+            )
+        })
     }
 
     pub(crate) fn no_real_value(span: Span, function: &str) -> Self {
-        Self::new(
-            ProblemCode::NotANumber,
-            span,
-            format!("{function} of this number is not real"),
-            "sqrt of 0 or more; asin and acos of -1 to 1",
-            "write the number you mean",
-        )
+        Self::told(ProblemCode::NotANumber, span, || {
+            Words::new(
+                format!("{function} of this number is not real"),
+                "sqrt of 0 or more; asin and acos of -1 to 1",
+                "write the number you mean",
+            )
+        })
     }
 
     pub(crate) fn infinite(span: Span) -> Self {

@@ -37,7 +37,10 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
         return Ok(None);
     };
     for _ in 0..MOST_CALLS {
-        let NodeKind::Call { name, arguments } = &node.kind else {
+        let NodeKind::Call {
+            name, arguments, ..
+        } = &node.kind
+        else {
             return Ok(None);
         };
         let call = RotationCall::of(name, arguments, node.span);

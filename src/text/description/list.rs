@@ -15,7 +15,9 @@ use crate::text::vocabulary::constructors::{self, Call};
 pub(crate) fn held<'e, 't>(node: &'e Node<'t>) -> Option<&'e [Entry<'t>]> {
     match &node.kind {
         NodeKind::List(inner) => Some(inner),
-        NodeKind::Call { name, arguments } => {
+        NodeKind::Call {
+            name, arguments, ..
+        } => {
             let holds = matches!(constructors::call(name), Call::Vector | Call::Container);
             holds.then_some(arguments)
         }

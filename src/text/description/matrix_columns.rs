@@ -36,6 +36,11 @@ pub(crate) struct LabelledVector<'s, 't> {
 pub(crate) fn labelled_vectors<'s, 't>(
     tokens: &'s [Token<'t>],
 ) -> Option<Vec<LabelledVector<'s, 't>>> {
+    // Without the feature `whole` they are members with names, more than one number under each, which are
+    // refused.
+    if !cfg!(feature = "whole") {
+        return None;
+    }
     label_ahead(tokens)?;
     let labels: Vec<_> = at_depth_zero(tokens)
         .filter_map(|at| Some((at, label_ahead(&tokens[at..])?)))

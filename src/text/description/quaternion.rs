@@ -180,7 +180,9 @@ fn check_pair(order: &Order, pair: &Quaternion<f64>, span: Span) -> Result<(), F
 fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQuaternion, Fault> {
     let (name, arguments) = match &node.kind {
         NodeKind::List(inner) => return read_quaternion(inner, node.span, order, place),
-        NodeKind::Call { name, arguments } => (name, arguments),
+        NodeKind::Call {
+            name, arguments, ..
+        } => (name, arguments),
         NodeKind::Value(_) | NodeKind::Word(_) => {
             return Err(Fault::wrong_count(node.span, Wanted::Quaternion, 1));
         }

@@ -11,11 +11,15 @@ use crate::character::{
 use crate::problem::Span;
 use winnow::ascii::{line_ending, space0};
 use winnow::combinator::{alt, eof, fail, peek, terminated};
+use winnow::error::EmptyError;
 use winnow::prelude::*;
 use winnow::stream::{LocatingSlice, Stream};
 use winnow::token::{one_of, take_till, take_until, take_while};
 
 pub(crate) type Input<'t> = LocatingSlice<&'t str>;
+
+/// What stands at a place, or that it does not: why is never asked, and reasons that nobody reads are code.
+pub(crate) type Lexed<T> = Result<T, EmptyError>;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum YamlDash {
@@ -100,10 +104,7 @@ pub(crate) fn blank<'t>(
 
 /// The mark `---` of a YAML document at the start of a line, with nothing, a comment or a list behind
 /// it, and the dash of a YAML list.
-fn layout<'t>(
-    line: Line,
-    yaml_dash: YamlDash,
-) -> impl FnMut(&mut Input<'t>) -> ModalResult<&'t str> {
+fn layout<'t>(line: Line, yaml_dash: YamlDash) -> impl FnMut(&mut Input<'t>) -> Lexed<&'t str> {
     move |input| {
         if line == Line::Inside {
             return fail.parse_next(input);
@@ -118,17 +119,17 @@ fn layout<'t>(
     }
 }
 
-fn white<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+fn white<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     take_while(1.., is_blank).parse_next(input)
 }
 
 /// The sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
-fn reference<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+fn reference<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     let borrowed = one_of(|next: char| next.is_alphabetic() || next == '[');
     terminated("&", peek(borrowed)).parse_next(input)
 }
 
-fn comment<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+fn comment<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     alt((
         // With a space: `5%` is no comment but something that is not known here.
         (alt(("//", "#", "% ")), take_till(0.., '\n')).take(),
@@ -162,7 +163,7 @@ pub(crate) fn drawn_run(text: &str) -> &str {
 
 /// A part of a frame that touches nothing. Where it only consists of dashes it must have its line for
 /// itself, unless a corner or a branch begins it.
-fn frame<'t>(input: &mut Input<'t>, text: &'t str) -> ModalResult<&'t str> {
+fn frame<'t>(input: &mut Input<'t>, text: &'t str) -> Lexed<&'t str> {
     let (before, rest) = text.split_at(text.len() - input.len());
     let run = drawn_run(rest);
     let after = &rest[run.len()..];

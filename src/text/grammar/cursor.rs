@@ -6,11 +6,9 @@ use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::lex::Token;
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
 use crate::text::grammar::tree::{Node, NodeKind};
-use winnow::error::{ErrMode, ParserError};
-use winnow::stream::{Stateful, Stream as _};
+use winnow::stream::Stateful;
 
 pub(crate) type Input<'s, 't> = Stateful<&'s [Token<'t>], State>;
-pub(crate) type Parsed<T> = Result<T, ErrMode<Stop>>;
 
 #[derive(Clone, Debug)]
 pub(crate) struct State {
@@ -30,46 +28,10 @@ pub(crate) enum Spaces {
     Ignored,
 }
 
-/// Why reading stopped: a fault with its sentence.
-#[derive(Clone, Debug)]
-pub(crate) struct Stop(Option<Fault>);
-
-impl Stop {
-    pub(crate) fn into_fault(error: ErrMode<Self>) -> Fault {
-        error
-            .into_inner()
-            .ok()
-            .and_then(|stop| stop.0)
-            .unwrap_or_else(|| Fault::unexpected_end(Span::default()))
-    }
-}
-
-impl<'s, 't> ParserError<Input<'s, 't>> for Stop {
-    type Inner = Self;
-
-    fn from_input(input: &Input<'s, 't>) -> Self {
-        Self(Some(match input.peek_token() {
-            Some(token) => unexpected(&token),
-            None => Fault::unexpected_end(end_of(input)),
-        }))
-    }
-
-    fn into_inner(self) -> Result<Self::Inner, Self> {
-        Ok(self)
-    }
-}
-
-pub(crate) fn stop<T>(fault: Fault) -> Parsed<T> {
-    Err(ErrMode::Cut(Stop(Some(fault))))
-}
-
-pub(crate) fn computed<'t>(value: Result<Linear, Fault>, span: Span) -> Parsed<Node<'t>> {
-    match value {
-        Ok(value) => Ok(Node {
-            kind: NodeKind::Value(value),
-            span,
-        }),
-        Err(fault) => stop(fault),
+pub(crate) fn computed<'t>(value: Linear, span: Span) -> Node<'t> {
+    Node {
+        kind: NodeKind::Value(value),
+        span,
     }
 }
 

@@ -9,7 +9,7 @@ use crate::decimal::nearest_double;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::blank::{
-    Input, Line, Touching, YamlDash, blank, drawn_run, hidden_in_number,
+    Input, Lexed, Line, Touching, YamlDash, blank, drawn_run, hidden_in_number,
 };
 use winnow::ascii::{digit0, digit1};
 use winnow::combinator::{alt, delimited, not, opt, peek, repeat, terminated};
@@ -183,11 +183,11 @@ fn unknown_mark(text: &str, start: usize) -> Fault {
     }
 }
 
-fn token<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+fn token<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
     alt((number, word, quoted, sign)).parse_next(input)
 }
 
-fn number<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+fn number<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
     let mantissa = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
     let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1);
     // `1.5×10−3`, as copied from a printed page; the sign tells it from a product.
@@ -231,11 +231,11 @@ fn is_group_of_thousands(before: &Token<'_>, written: &str) -> bool {
 }
 
 /// One character that continues a name.
-fn name_character(input: &mut Input<'_>) -> ModalResult<char> {
+fn name_character(input: &mut Input<'_>) -> Lexed<char> {
     one_of(|character: char| character.is_alphanumeric() || character == '_').parse_next(input)
 }
 
-fn name(input: &mut Input<'_>) -> ModalResult<()> {
+fn name(input: &mut Input<'_>) -> Lexed<()> {
     (
         peek(one_of(|first: char| first.is_alphabetic() || first == '_')),
         repeat::<_, _, (), _, _>(1.., name_character),
@@ -244,7 +244,7 @@ fn name(input: &mut Input<'_>) -> ModalResult<()> {
         .parse_next(input)
 }
 
-fn word<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+fn word<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
     let number_type = ('<', argument.verify(|name: &str| is_number_type(name)), '>');
     alt((
         terminated(path.take(), number_type),
@@ -255,7 +255,7 @@ fn word<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
     .parse_next(input)
 }
 
-fn path(input: &mut Input<'_>) -> ModalResult<()> {
+fn path(input: &mut Input<'_>) -> Lexed<()> {
     let segment = (alt(("::", ".")), name);
     (name, repeat::<_, _, (), _, _>(0.., segment))
         .void()
@@ -263,7 +263,7 @@ fn path(input: &mut Input<'_>) -> ModalResult<()> {
 }
 
 /// The only argument of a template.
-fn argument<'t>(input: &mut Input<'t>) -> ModalResult<&'t str> {
+fn argument<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     repeat::<_, _, (), _, _>(1.., name_character)
         .take()
         .parse_next(input)
@@ -289,7 +289,7 @@ fn is_number_type(name: &str) -> bool {
         || name.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-fn quoted<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+fn quoted<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
     let inside = |quote: char| take_while(0.., move |c: char| c != quote && c != '\n');
     alt((
         delimited('"', inside('"'), '"'),
@@ -299,7 +299,7 @@ fn quoted<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
     .parse_next(input)
 }
 
-fn sign<'t>(input: &mut Input<'t>) -> ModalResult<(TokenKind, &'t str)> {
+fn sign<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
     any.with_taken()
         .verify_map(|(character, text)| {
             let kind = match character {

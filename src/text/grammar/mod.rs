@@ -29,17 +29,12 @@ pub(crate) mod tree;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::arithmetic::Linear;
-use crate::text::grammar::cursor::{
-    Input, Parsed, Spaces, State, Stop, computed, end_of, stop, token_at, unexpected,
-};
+use crate::text::grammar::cursor::{Input, Spaces, State, computed, end_of, token_at, unexpected};
 use crate::text::grammar::key::key_ahead;
 use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
-use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
-use winnow::error::ErrMode;
-use winnow::prelude::*;
-use winnow::stream::Stateful;
-use winnow::token::any;
+use crate::text::grammar::tree::{CallsAreRead, Entry, Key, Lead, Node, NodeKind};
+use winnow::stream::{Stateful, Stream as _};
 
 /// How many brackets may be open at once; a quaternion needs about four.
 pub(crate) const MAX_DEPTH: usize = 32;
@@ -66,7 +61,7 @@ fn members<'t>(tokens: &[Token<'t>], spaces: Spaces) -> Result<Vec<Entry<'t>>, F
         input: tokens,
         state,
     };
-    let entries = list(&mut input).map_err(Stop::into_fault)?;
+    let entries = list(&mut input)?;
     match input.peek_token() {
         None => Ok(entries),
         Some(token) => Err(match token.kind {
@@ -77,7 +72,7 @@ fn members<'t>(tokens: &[Token<'t>], spaces: Spaces) -> Result<Vec<Entry<'t>>, F
 }
 
 /// Members until the end of the text or a closing bracket.
-fn list<'t>(input: &mut Input<'_, 't>) -> Parsed<Vec<Entry<'t>>> {
+fn list<'t>(input: &mut Input<'_, 't>) -> Result<Vec<Entry<'t>>, Fault> {
     let mut entries = Vec::new();
     let mut lead = Lead::First;
     while let Some(token) = input.peek_token() {
@@ -102,7 +97,7 @@ fn list<'t>(input: &mut Input<'_, 't>) -> Parsed<Vec<Entry<'t>>> {
     Ok(entries)
 }
 
-fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
+fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Result<Entry<'t>, Fault> {
     let mut key: Option<Key<'t>> = None;
     // A label before another name is a heading: `orientation:` above `x: 0`.
     while let Some((found, length)) = key_ahead(input) {
@@ -122,7 +117,7 @@ fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Parsed<Entry<'t>> {
     })
 }
 
-fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+fn sum<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
     let before = input.input;
     let mut left = product(input)?;
     let mut last = &before[..before.len() - input.input.len()];
@@ -142,7 +137,7 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
         let before = input.input;
         let right = product(input)?;
         let addend = &before[..before.len() - input.input.len()];
-        let (augend_value, addend_value) = (value_of(&left)?, value_of(&right)?);
+        let (augend_value, addend_value) = (left.operand()?, right.operand()?);
         let is_sign = |next: &Token<'_>| matches!(next.kind, TokenKind::Plus | TokenKind::Minus);
         if let Some(second) = next.filter(is_sign)
             && touches_next
@@ -157,36 +152,36 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             };
         }
         let span = left.span.to(right.span);
-        let result = match sign.kind {
-            TokenKind::Minus => augend_value.plus(addend_value.negated(), span),
-            _ => augend_value.plus(addend_value, span),
+        let sum = match sign.kind {
+            TokenKind::Minus => augend_value.plus(addend_value.negated(), span)?,
+            _ => augend_value.plus(addend_value, span)?,
         };
-        left = computed(result, span)?;
+        left = computed(sum, span);
         last = addend;
     }
     Ok(left)
 }
 
-fn product<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+fn product<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
     let outer = input.state.repeated_sign.take();
     let product = factors(input)?;
     if let Some(signs) = std::mem::replace(&mut input.state.repeated_sign, outer) {
-        check_repeated(Some(signs), &value_of(&product)?)?;
+        check_repeated(Some(signs), &product.operand()?)?;
     }
     Ok(product)
 }
 
-fn check_repeated(signs: Option<RepeatedSign>, value: &Linear) -> Parsed<()> {
+fn check_repeated(signs: Option<RepeatedSign>, value: &Linear) -> Result<(), Fault> {
     match signs {
-        Some(signs) => signs.check(value).or_else(stop),
+        Some(signs) => signs.check(value),
         None => Ok(()),
     }
 }
 
-fn factors<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+fn factors<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
     let mut left = signed(input)?;
     while let Some(next) = input.peek_token() {
-        let result = match (next.kind, next.angle_unit()) {
+        let (value, span) = match (next.kind, next.angle_unit()) {
             (TokenKind::Times | TokenKind::Divide, _) => {
                 input.next_token();
                 // MATLAB prints `1.0e+03 *` above the lines that it multiplies.
@@ -194,30 +189,30 @@ fn factors<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
                     .peek_token()
                     .is_some_and(|next| next.spacing == Spacing::NextLine);
                 if line_ends {
-                    return stop(Fault::factor_before_line(left.span.to(next.span)));
+                    return Err(Fault::factor_before_line(left.span.to(next.span)));
                 }
                 let right = signed(input)?;
                 let span = left.span.to(right.span);
-                let (first, second) = (value_of(&left)?, value_of(&right)?);
-                let result = match next.kind {
-                    TokenKind::Divide => first.over(second, right.span, span),
-                    _ => first.times(second, span),
+                let (first, second) = (left.operand()?, right.operand()?);
+                let value = match next.kind {
+                    TokenKind::Divide => first.over(second, right.span, span)?,
+                    _ => first.times(second, span)?,
                 };
-                (result, span)
+                (value, span)
             }
             (_, Some(unit)) => {
                 input.next_token();
                 let span = left.span.to(next.span);
-                (value_of(&left)?.angle(unit, span), span)
+                (left.operand()?.angle(unit, span)?, span)
             }
             _ if multiplies_by_standing_beside(&left, &next) => {
                 let right = atom(input)?;
                 let span = left.span.to(right.span);
-                (value_of(&left)?.times(value_of(&right)?, span), span)
+                (left.operand()?.times(right.operand()?, span)?, span)
             }
             _ => break,
         };
-        left = computed(result.0, result.1)?;
+        left = computed(value, span);
     }
     Ok(left)
 }
@@ -240,7 +235,7 @@ fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
 }
 
 /// Signs and then an atom; a loop, so that a million signs need no stack.
-fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
+fn signed<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
     let before = input.input;
     while let Some(token) = input.peek_token() {
         if !matches!(token.kind, TokenKind::Plus | TokenKind::Minus) {
@@ -263,7 +258,7 @@ fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
     if let Some(repeated) = RepeatedSign::of(signs) {
         input.state.repeated_sign.get_or_insert(repeated);
     }
-    let value = value_of(&node)?;
+    let value = node.operand()?;
     let minuses = signs
         .iter()
         .filter(|sign| sign.kind == TokenKind::Minus)
@@ -273,13 +268,15 @@ fn signed<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
     } else {
         value.negated()
     };
-    computed(Ok(value), first.span.to(node.span))
+    Ok(computed(value, first.span.to(node.span)))
 }
 
-fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
-    let token = any.parse_next(input).map_err(ErrMode::<Stop>::cut)?;
+fn atom<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
+    let Some(token) = input.next_token() else {
+        return Err(Fault::unexpected_end(end_of(input)));
+    };
     match token.kind {
-        TokenKind::Number(value) => computed(Ok(Linear::real(value)), token.span),
+        TokenKind::Number(value) => Ok(computed(Linear::real(value), token.span)),
         TokenKind::Word => word(input, token),
         TokenKind::Root => root(input, token),
         TokenKind::Open(bracket) => {
@@ -304,27 +301,27 @@ fn atom<'t>(input: &mut Input<'_, 't>) -> Parsed<Node<'t>> {
             })
         }
         TokenKind::Close(_) => match input.state.depth {
-            0 => stop(Fault::unmatched_bracket(token.span, token.text, None)),
-            _ => stop(unexpected(&token)),
+            0 => Err(Fault::unmatched_bracket(token.span, token.text, None)),
+            _ => Err(unexpected(&token)),
         },
         TokenKind::Quoted => match arithmetic::not_finite(&token) {
-            Some(fault) => stop(fault),
+            Some(fault) => Err(fault),
             None => Ok(Node {
                 kind: NodeKind::Word(token.text),
                 span: token.span,
             }),
         },
-        _ => stop(unexpected(&token)),
+        _ => Err(unexpected(&token)),
     }
 }
 
-fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
+fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Result<Node<'t>, Fault> {
     let name = token.text;
     if let Some(value) = Linear::unit(name).or_else(|| Linear::constant(name)) {
-        return computed(Ok(value), token.span);
+        return Ok(computed(value, token.span));
     }
     if let Some(fault) = arithmetic::not_finite(&token) {
-        return stop(fault);
+        return Err(fault);
     }
     // A declaration `Eigen::Quaterniond q(...)`: the variable's name says nothing.
     let declares = token_at(input, 0).is_some_and(|next| next.kind == TokenKind::Word)
@@ -343,10 +340,10 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
         });
     };
     if bracket == Bracket::Angle || (Linear::is_function(name) && bracket != Bracket::Round) {
-        return stop(Fault::unknown_word(token.span, name));
+        return Err(Fault::unknown_word(token.span, name));
     }
     let Some(opening) = input.next_token() else {
-        return stop(Fault::unexpected_end(end_of(input)));
+        return Err(Fault::unexpected_end(end_of(input)));
     };
     let outer = input.state.spaces;
     if Linear::is_function(name) {
@@ -357,8 +354,15 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
     let (arguments, span) = inside?;
     let span = token.span.to(span);
     if !Linear::is_function(name) {
+        let Some(read) = CallsAreRead::here() else {
+            return Err(Fault::unknown_word(span, name));
+        };
         return Ok(Node {
-            kind: NodeKind::Call { name, arguments },
+            kind: NodeKind::Call {
+                name,
+                arguments,
+                read,
+            },
             span,
         });
     }
@@ -367,13 +371,16 @@ fn word<'t>(input: &mut Input<'_, 't>, token: Token<'t>) -> Parsed<Node<'t>> {
             Entry {
                 key: None, node, ..
             },
-        ] => computed(Linear::call(name, value_of(node)?, node.span, span), span),
-        _ => stop(Fault::argument_count(span, name)),
+        ] => Ok(computed(
+            Linear::call(name, node.operand()?, node.span, span)?,
+            span,
+        )),
+        _ => Err(Fault::argument_count(span, name)),
     }
 }
 
 /// `√2`, `√(2)`, `√√2`
-fn root<'t>(input: &mut Input<'_, 't>, first: Token<'t>) -> Parsed<Node<'t>> {
+fn root<'t>(input: &mut Input<'_, 't>, first: Token<'t>) -> Result<Node<'t>, Fault> {
     let mut roots = 1;
     while input
         .peek_token()
@@ -384,14 +391,11 @@ fn root<'t>(input: &mut Input<'_, 't>, first: Token<'t>) -> Parsed<Node<'t>> {
     }
     let argument = atom(input)?;
     let span = first.span.to(argument.span);
-    let mut value = value_of(&argument)?;
+    let mut value = argument.operand()?;
     for _ in 0..roots {
-        value = match Linear::call("sqrt", value, argument.span, span) {
-            Ok(value) => value,
-            Err(fault) => return stop(fault),
-        };
+        value = Linear::call("sqrt", value, argument.span, span)?;
     }
-    computed(Ok(value), span)
+    Ok(computed(value, span))
 }
 
 /// The members between an opening bracket, already read, and its closing one.
@@ -399,9 +403,9 @@ fn bracketed<'t>(
     input: &mut Input<'_, 't>,
     opening: Token<'t>,
     bracket: Bracket,
-) -> Parsed<(Vec<Entry<'t>>, Span)> {
+) -> Result<(Vec<Entry<'t>>, Span), Fault> {
     if input.state.depth == MAX_DEPTH {
-        return stop(Fault::nested_too_deep(opening.span, MAX_DEPTH));
+        return Err(Fault::nested_too_deep(opening.span, MAX_DEPTH));
     }
     input.state.depth += 1;
     let entries = list(input)?;
@@ -410,20 +414,15 @@ fn bracketed<'t>(
         Some(token) if token.kind == TokenKind::Close(bracket) => {
             Ok((entries, opening.span.to(token.span)))
         }
-        Some(token) => stop(Fault::unmatched_bracket(
+        Some(token) => Err(Fault::unmatched_bracket(
             token.span,
             token.text,
             Some(bracket.closing()),
         )),
-        None => stop(Fault::unclosed_bracket(
+        None => Err(Fault::unclosed_bracket(
             opening.span,
             bracket.opening(),
             bracket.closing(),
         )),
     }
-}
-
-/// The number that a node stands for, where only a number makes sense.
-fn value_of(node: &Node<'_>) -> Parsed<Linear> {
-    node.operand().or_else(stop)
 }

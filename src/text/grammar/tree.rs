@@ -19,8 +19,33 @@ pub(crate) enum NodeKind<'t> {
     Call {
         name: &'t str,
         arguments: Vec<Entry<'t>>,
+        #[expect(dead_code, reason = "that it is there is all that it says")]
+        read: CallsAreRead,
     },
     Word(&'t str),
+}
+
+/// That calls are read.
+#[cfg(feature = "whole")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CallsAreRead;
+
+/// That calls are read, which they are not: there is no value of this, so no call either, and the compiler
+/// leaves out all that is made of one.
+#[cfg(not(feature = "whole"))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum CallsAreRead {}
+
+impl CallsAreRead {
+    #[cfg(feature = "whole")]
+    pub(crate) const fn here() -> Option<Self> {
+        Some(Self)
+    }
+
+    #[cfg(not(feature = "whole"))]
+    pub(crate) const fn here() -> Option<Self> {
+        None
+    }
 }
 
 /// A member of a list: a node, perhaps with a name before it.

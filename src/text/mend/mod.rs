@@ -36,25 +36,23 @@ pub(crate) fn with_suggestion(
     wanted: Wanted,
     read: &dyn Fn(&str) -> Result<(), Fault>,
 ) -> Fault {
-    if fault.suggestion.is_some() || text.len() > LONGEST_TEXT_BYTES {
+    if text.len() > LONGEST_TEXT_BYTES {
         return fault;
     }
-    let suggestion = rewrites(fault.code)
-        .iter()
-        // No vector has such a part.
-        .filter(|(remedy, _)| wanted != Wanted::Vector || *remedy != Remedy::RotationPart)
-        .find_map(|&(remedy, rewrite)| {
-            let rewritten = mended(&fault, text, rewrite, read, MOST_STEPS)?;
-            let suggestion = Suggestion {
-                remedy,
-                text: rewritten,
-            };
-            keeps_numbers(text, &suggestion).then(|| Box::new(suggestion))
-        });
-    Fault {
-        suggestion,
-        ..fault
-    }
+    fault.suggesting(|fault| {
+        rewrites(fault.code)
+            .iter()
+            // No vector has such a part.
+            .filter(|(remedy, _)| wanted != Wanted::Vector || *remedy != Remedy::RotationPart)
+            .find_map(|&(remedy, rewrite)| {
+                let rewritten = mended(fault, text, rewrite, read, MOST_STEPS)?;
+                let suggestion = Suggestion {
+                    remedy,
+                    text: rewritten,
+                };
+                keeps_numbers(text, &suggestion).then_some(suggestion)
+            })
+    })
 }
 
 /// The only text that is read, mending the same kind of problem place by place; `None` where several

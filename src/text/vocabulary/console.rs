@@ -2,6 +2,7 @@
 
 use crate::text::grammar::MAX_DEPTH;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
+use crate::text::grammar::tree::CallsAreRead;
 
 /// Names before the length of a list, as Node and browsers print them: typed arrays, arrays, and the
 /// classes of vectors and matrices that extend them (gl-matrix, OGL, math.gl).
@@ -56,6 +57,8 @@ pub(crate) fn names_a_list(tokens: &[Token<'_>]) -> bool {
 
 /// How many tokens at the start are the name and the length of the list that follows.
 fn list_name_ahead(tokens: &[Token<'_>]) -> Option<usize> {
+    // Where no calls are read such a name is one of them, with its number, and so nothing else.
+    CallsAreRead::here()?;
     let [name, open, count, close, rest @ ..] = tokens else {
         return None;
     };

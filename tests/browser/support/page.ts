@@ -4,6 +4,8 @@ import { test as base, expect, type Locator, type Page } from "@playwright/test"
 
 export const test = base.extend<{ page: Page }>({
   page: async ({ page, baseURL }, use) => {
+    waitForProgram(page);
+    await page.addInitScript(haveLetters);
     const errors: string[] = [];
     const foreign: string[] = [];
     page.on("console", (message) => {
@@ -20,6 +22,45 @@ export const test = base.extend<{ page: Page }>({
     expect(foreign, "requests that leave the origin").toEqual([]);
   },
 });
+
+/** Resolves once the program is in the page, which shows its example before. */
+export const started = (page: Page) =>
+  page.waitForFunction(() => document.querySelector("[data-starting]") === null);
+
+/** A page that is opened is there with its program, but where only its answer is waited for. */
+function waitForProgram(page: Page) {
+  const { goto, reload } = page;
+  page.goto = async (...given) => {
+    const answer = await goto.apply(page, given);
+    if (given[1]?.waitUntil !== "commit") await started(page);
+    return answer;
+  };
+  page.reload = async (...given) => {
+    const answer = await reload.apply(page, given);
+    if (given[0]?.waitUntil !== "commit") await started(page);
+    return answer;
+  };
+}
+
+/** As for who was here before: the page waits for its letters, however slow the machine is. */
+function haveLetters() {
+  try {
+    localStorage.setItem("quatlas-letters", "kept");
+  } catch {
+    // On an empty page there is no storage.
+  }
+}
+
+/** As on a slow line at the first visit: the page is written in the letters of the system. */
+export function haveNoLetters(page: Page) {
+  return page.addInitScript(() => {
+    try {
+      localStorage.removeItem("quatlas-letters");
+    } catch {}
+    const now = performance.now.bind(performance);
+    performance.now = () => now() + 1000;
+  });
+}
 
 const minus = "−";
 

@@ -11,22 +11,12 @@ import {
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
-import { extname, join } from "node:path";
+import { join } from "node:path";
+import { mediaTypeOf } from "../../../www/tasks/page_parts.mjs";
 import { writeServiceWorker } from "../../../www/tasks/precache.ts";
 
 const built = join(import.meta.dirname, "../../../dist/page");
 const subFolder = "/tools/rotations/";
-
-const types: Record<string, string> = {
-  ".html": "text/html",
-  ".js": "text/javascript",
-  ".css": "text/css",
-  ".wasm": "application/wasm",
-  ".woff2": "font/woff2",
-  ".svg": "image/svg+xml",
-  ".png": "image/png",
-  ".webmanifest": "application/manifest+json",
-};
 
 export type Site = Awaited<ReturnType<typeof openSite>>;
 
@@ -39,7 +29,7 @@ export async function openSite() {
     const path = pathname.slice(subFolder.length) || "index.html";
     const content = pathname.startsWith(subFolder) ? read(join(folder, path)) : undefined;
     if (content === undefined) missing.push(pathname);
-    response.writeHead(content ? 200 : 404, { "Content-Type": types[extname(path)] ?? "" });
+    response.writeHead(content ? 200 : 404, { "Content-Type": mediaTypeOf(path) });
     response.end(content);
   });
   await new Promise<void>((listening) => server.listen(0, "localhost", listening));

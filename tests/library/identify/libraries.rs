@@ -214,7 +214,7 @@ fn every_library_is_told_in_at_most_four_probes() {
             if wanted.iter().all(|axis| report.settled.contains(axis)) {
                 break report;
             }
-            let kind = report.next.as_ref().expect(&library.id).probe.kind();
+            let kind = report.next.as_ref().expect(library.id).probe.kind();
             let answer = console.answer(kind).or_else(|| {
                 let is_first = kind == ProbeKind::Product && request.observations.is_empty();
                 is_first.then(|| console.ij()).flatten()

@@ -126,7 +126,9 @@ fn every_probe_is_a_line_of_code_in_every_language() {
         code(&product("0 1 0 0"), Language::Rust).as_deref(),
         Some(expected)
     );
-    assert_eq!(code(&product("i"), Language::Rust), None);
+    for text in ["i", "nan 0 0 1", "0 0 inf 1"] {
+        assert_eq!(code(&product(text), Language::Rust), None, "{text}");
+    }
 }
 
 /// What was answered with names left the orders open: the same kind is asked again, with other numbers.

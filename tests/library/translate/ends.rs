@@ -14,7 +14,7 @@ fn ends() -> Vec<Endpoint> {
     let of_libraries = libraries().iter().flat_map(|library| {
         Direction::ALL.map(|direction| {
             Endpoint::Library(LibraryEndpoint {
-                id: library.id.clone(),
+                id: library.id.to_owned(),
                 order: None,
                 direction: Some(direction),
             })

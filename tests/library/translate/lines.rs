@@ -33,7 +33,7 @@ fn every_end_reads_the_line_that_it_writes() {
     for library in libraries() {
         for order in orders {
             for direction in directions {
-                let here = end(&library.id, order, direction);
+                let here = end(library.id, order, direction);
                 let there = translate("0.1 0.7 -0.5 0.5", &partner, &here).to;
                 let line = there.construct.clone().expect("every record has a line");
                 let back = translate(&line, &here, &partner);
@@ -70,6 +70,33 @@ fn a_line_that_is_nothing_but_an_array_has_the_order_of_its_end() {
             "Eigen::Quaterniond q(0.5, 0.1, 0.7, -0.5);"
         );
         assert_eq!(line("drake", order), "q = Quaternion(0.5, 0.1, 0.7, -0.5)");
+    }
+}
+
+/// With a point or an exponent, and no digit more than it takes, in the wasm as natively.
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_of_a_line_are_written_as_doubles() {
+    let written = [
+        ("0", "0.0"),
+        ("1", "1.0"),
+        ("-20", "-20.0"),
+        ("0.1", "0.1"),
+        ("0.30000000000000004", "0.30000000000000004"),
+        ("0.0001", "0.0001"),
+        ("0.00009999999999999999", "9.999999999999999e-5"),
+        ("-0.00001", "-1e-5"),
+        ("1.5e-7", "1.5e-7"),
+        ("123456789012345.6", "123456789012345.6"),
+        ("9999999999999998", "9999999999999998.0"),
+        ("1e16", "1e16"),
+        ("-1234567890123456789012", "-1.2345678901234568e21"),
+        ("2.5e200", "2.5e200"),
+    ];
+    for (number, expected) in written {
+        let text = format!("w: 1, x: {number}, y: 0, z: 1");
+        let line = between(&text, "eigen", "eigen").to.construct;
+        let expected = format!("Eigen::Quaterniond q(1.0, {expected}, 0.0, 1.0);");
+        assert_eq!(line, Some(expected));
     }
 }
 
@@ -214,7 +241,7 @@ fn a_pasted_call_is_read_as_its_own_library_does() {
 /// So the place of a fragment in a text tells the library, and no length has to.
 #[wasm_bindgen_test(unsupported = test)]
 fn no_fragment_of_a_library_begins_that_of_another() {
-    let compact = |text: &String| text.split_whitespace().collect::<String>();
+    let compact = |text: &str| text.split_whitespace().collect::<String>();
     for one in libraries() {
         for other in libraries().iter().filter(|other| other.id != one.id) {
             for (long, short) in one
@@ -258,16 +285,9 @@ fn a_library_is_proposed_for_a_convention_too() {
 fn the_usual_call_rotates_a_vector() {
     let mut seen = [0, 0, 0];
     for library in libraries() {
-        let usual = between("0.1 0.7 -0.5 0.5", "openvins", &library.id)
-            .to
-            .usual;
-        let (rotate, matrix) = (&library.code.rotate, &library.code.matrix);
-        assert_eq!(
-            usual.as_ref(),
-            rotate.as_ref().or(matrix.as_ref()),
-            "{}",
-            library.id
-        );
+        let usual = between("0.1 0.7 -0.5 0.5", "openvins", library.id).to.usual;
+        let (rotate, matrix) = (library.code.rotate, library.code.matrix);
+        assert_eq!(usual.as_deref(), rotate.or(matrix), "{}", library.id);
         seen[usize::from(rotate.is_some()) + usize::from(rotate.is_some() && matrix.is_some())] +=
             1;
     }
@@ -341,9 +361,9 @@ fn lists_that_may_be_columns_are_read_as_rows_and_that_is_said() {
 #[wasm_bindgen_test(unsupported = test)]
 fn every_line_of_code_is_read_back() {
     for library in libraries() {
-        let there = between(TEXT, "openvins", &library.id);
-        let line = there.to.construct.expect(&library.id);
-        for from in [&library.id, "openvins"] {
+        let there = between(TEXT, "openvins", library.id);
+        let line = there.to.construct.expect(library.id);
+        for from in [library.id, "openvins"] {
             // Elsewhere it must say of itself what it is, or be refused.
             let request = TranslateRequest::new(
                 &line,
@@ -354,7 +374,7 @@ fn every_line_of_code_is_read_back() {
                 assert_ne!(from, library.id, "{line}");
                 continue;
             };
-            if from == library.id || back.proposed.as_ref() == Some(&library.id) {
+            if from == library.id || back.proposed.as_deref() == Some(library.id) {
                 let what = format!("{line} at {from}");
                 assert_close(&what, &back.to.array, &[0.1, 0.7, -0.5, 0.5], 1e-15);
             }

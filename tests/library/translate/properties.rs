@@ -17,10 +17,7 @@ const CASES: u32 = 500;
 const TOLERANCE: f64 = 4e-15;
 
 fn libraries_as_ends() -> impl Strategy<Value = LibraryEndpoint> {
-    let ids: Vec<&str> = libraries()
-        .iter()
-        .map(|library| library.id.as_str())
-        .collect();
+    let ids: Vec<&str> = libraries().iter().map(|library| library.id).collect();
     let directions = prop::option::of(prop::sample::select(Direction::ALL.to_vec()));
     (prop::sample::select(ids), directions).prop_map(|(id, direction)| LibraryEndpoint {
         id: id.to_owned(),

@@ -15,10 +15,7 @@ fn conventions() -> impl Strategy<Value = Convention> {
 }
 
 fn ends() -> impl Strategy<Value = Endpoint> {
-    let ids: Vec<&str> = libraries()
-        .iter()
-        .map(|library| library.id.as_str())
-        .collect();
+    let ids: Vec<&str> = libraries().iter().map(|library| library.id).collect();
     prop_oneof![
         3 => prop::sample::select(ids).prop_map(Endpoint::library),
         1 => conventions().prop_map(Endpoint::convention),

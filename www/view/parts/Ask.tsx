@@ -1,6 +1,7 @@
 // What is asked: text fields and the declared convention.
 import type { ComponentChildren } from "preact";
 import { fixOfProblem } from "../../action/fixes.ts";
+import { readOn } from "../../action/read_on.ts";
 import type { Problem } from "../../engine.ts";
 import type { Freshness, Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
@@ -55,19 +56,56 @@ export function AskStatus({
   children: ComponentChildren;
 }) {
   const problems = store.problems.value;
+  if (store.isReading.value) {
+    return (
+      <div class="ask-status">
+        <p class="reading">{problemWords.reading}</p>
+      </div>
+    );
+  }
   return (
     <div class="ask-status">
       {problems.length === 0
         ? children
-        : problems.map((problem, at) => (
-            <ProblemWords key={problem.field} store={store} problem={problem}>
-              {at === 0 && (
-                <span class="old-result">
-                  {freshness === "opening" ? problemWords.opening : problemWords.old}
-                </span>
-              )}
-            </ProblemWords>
-          ))}
+        : problems.map((problem, at) => {
+            const Words = problem.message === "" ? UnsaidProblem : ProblemWords;
+            return (
+              <Words key={problem.field} store={store} problem={problem}>
+                {at === 0 && (
+                  <span class="old-result">
+                    {freshness === "opening" ? problemWords.opening : problemWords.old}
+                  </span>
+                )}
+              </Words>
+            );
+          })}
+    </div>
+  );
+}
+
+interface ProblemProps {
+  store: Store;
+  problem: Problem;
+  /** What stands at the end of its first line. */
+  children: ComponentChildren;
+}
+
+/** A problem of the first core, where the whole one, which has the words for it, did not come. */
+function UnsaidProblem({ store, problem: { field, code }, children }: ProblemProps) {
+  return (
+    <div class="problem" id={problemId(field)}>
+      <p class="problem-head">
+        <span class="problem-message">
+          <var>{symbolOf[field]}</var>: {problemWords.unsaid(code)}.
+        </span>{" "}
+        {children}
+      </p>
+      <p class="problem-help">
+        <span>{problemWords.missing}</span>
+        <button type="button" class="quiet" onClick={() => readOn(store)}>
+          {problemWords.retry}
+        </button>
+      </p>
     </div>
   );
 }
@@ -77,12 +115,7 @@ function ProblemWords({
   store,
   problem: { field, message, expected, hint, suggestion },
   children,
-}: {
-  store: Store;
-  problem: Problem;
-  /** What stands at the end of its first line. */
-  children: ComponentChildren;
-}) {
+}: ProblemProps) {
   const fix = fixOfProblem(store, field);
   return (
     <div class="problem" id={problemId(field)}>

@@ -1,36 +1,22 @@
-// *More*: the five axes of the declared convention, and how nine typed numbers are read.
-import type { Convention, MatrixConvention } from "../../engine.ts";
-import {
-  type Axis,
-  axes,
-  declarationOf,
-  declaredConvention,
-  differing,
-  operatorOf,
-} from "../../model/conventions.ts";
+// *More*: a line that says which convention is declared; the axes in it come after the first result.
+import { declaredConvention } from "../../model/conventions.ts";
 import type { Store } from "../../state/store.ts";
-import { namedConventions, namedConventionValues } from "../../values.ts";
-import { conventionNames, wordsOf } from "../../words/conventions.ts";
+import { wordsOf } from "../../words/conventions.ts";
 import * as askWords from "../../words/parts/ask.tsx";
-import * as words from "../../words/parts/more_axes.tsx";
-import { AxisChoice } from "./AxisChoice.tsx";
+import { waits } from "../../words/parts/later.ts";
+import * as words from "../../words/parts/more_axes.ts";
 import { presetItself } from "./convention_names.ts";
-import { MatrixOf } from "./RulesList.tsx";
+import { useLater } from "./later.ts";
+import "./fold.css";
 import "./more_axes.css";
 
+const loadPanel = () => import("./AxesPanel.tsx").then(({ AxesPanel }) => AxesPanel);
+
 export function MoreAxes({ store }: { store: Store }) {
-  const state = store.state.value;
-  const convention = declaredConvention(state);
-  const base = namedConventions[state.preset];
-  const setAxis = (axis: Axis, value: string) =>
-    store.set({ axes: differing({ ...convention, [axis]: value } as Convention, base) });
-  const { named } = store.engine.describe(convention);
-  const preset = presetItself(convention, store.engine);
+  const Panel = useLater(loadPanel);
+  const preset = presetItself(declaredConvention(store.state.value), store.engine);
   // In full it stands on the switch.
   const name = preset ? wordsOf[preset].name : askWords.custom;
-  const form = state.view === "read" ? store.read.value?.report.paired.form : undefined;
-  const setMatrix = (axis: keyof MatrixConvention, value: string) =>
-    store.set({ matrix: { ...state.matrix, [axis]: value } as MatrixConvention });
   return (
     <details class="more">
       <summary>
@@ -40,53 +26,11 @@ export function MoreAxes({ store }: { store: Store }) {
           <span>{name}</span> {words.choices}
         </span>
       </summary>
-      <div class="more-panel">
-        <div class="named-conventions">
-          <span id="named-conventions">{words.named}</span>
-          <ul aria-labelledby="named-conventions">
-            {namedConventionValues.map((name) => (
-              <li key={name}>
-                <button
-                  type="button"
-                  class="quiet"
-                  aria-pressed={name === named}
-                  onClick={() => store.set(declarationOf(name))}
-                >
-                  {conventionNames[name]}
-                </button>
-              </li>
-            ))}
-          </ul>
-        </div>
-        <p>{words.five}</p>
-        <div class="axis-choices">
-          {axes.map((axis) => (
-            <AxisChoice
-              key={axis}
-              axis={axis}
-              group={axis}
-              chosen={convention[axis]}
-              choose={(value) => setAxis(axis, value)}
-            />
-          ))}
-        </div>
-        <p>
-          {words.matrix(operatorOf(state.matrix))}
-          {form && words.beside(<MatrixOf form={form} />)}
-        </p>
-        <div class="axis-choices">
-          {(["function", "direction"] as const).map((axis) => (
-            <AxisChoice
-              key={axis}
-              axis={axis}
-              group={`matrix-${axis}`}
-              of={words.ofMatrix}
-              chosen={state.matrix[axis]}
-              choose={(value) => setMatrix(axis, value)}
-            />
-          ))}
-        </div>
-      </div>
+      {typeof Panel === "string" ? (
+        <p class="fold-wait">{waits[Panel]}</p>
+      ) : (
+        <Panel store={store} />
+      )}
     </details>
   );
 }

@@ -57,7 +57,9 @@ export function NumberField({
   const place = useRef(reading);
   if (!isEdited) place.current = reading;
   useLayoutEffect(() => {
-    if (isEdited && input.current) keepWithin(input.current);
+    if (!isEdited || input.current === null) return;
+    widen(input.current);
+    keepWithin(input.current);
   });
   useLayoutEffect(() => {
     const field = input.current;
@@ -140,7 +142,6 @@ export function NumberField({
         tabIndex={stopOf(group) === at ? 0 : -1}
         aria-label={label}
         value={value}
-        style={{ "--exact": `calc(${value.length + 1}ch + 8px)` }}
         spellcheck={false}
         autocomplete="off"
         autocapitalize="off"
@@ -154,6 +155,7 @@ export function NumberField({
         }}
         onFocus={(event) => {
           stopAt(group, at);
+          widen(event.currentTarget);
           if (!isEdited) event.currentTarget.select();
         }}
         onInput={({ currentTarget: field }) => {
@@ -202,6 +204,11 @@ function fieldsOf({ id }: NumberGroup) {
 function select(field: HTMLInputElement, text: string) {
   field.value = text;
   field.select();
+}
+
+/** A number with the focus may take as much room as it has characters. */
+function widen(field: HTMLInputElement) {
+  field.style.setProperty("--exact", `calc(${field.value.length + 1}ch + 8px)`);
 }
 
 /** Pixels of the outline, which what scrolls would cut. */

@@ -1,15 +1,17 @@
 // The buttons of undo and redo.
 import { redo, undo } from "../../action/undo.ts";
+import { isMac } from "../../dom/platform.ts";
 import type { Store } from "../../state/store.ts";
 import { undoWords } from "../../words/undo.ts";
 import "./undo_redo.css";
 
-const isMac = /Mac|iPhone|iPad/.test(navigator.platform);
-const keys = isMac
-  ? { undo: "Meta+Z", redo: "Meta+Shift+Z" }
-  : { undo: "Control+Z", redo: "Control+Shift+Z" };
+const keysOf = {
+  mac: { undo: "Meta+Z", redo: "Meta+Shift+Z" },
+  other: { undo: "Control+Z", redo: "Control+Shift+Z" },
+};
 
 export function UndoRedo({ store }: { store: Store }) {
+  const keys = keysOf[isMac.value ? "mac" : "other"];
   const ways = [
     {
       name: undoWords.undo,

@@ -1,4 +1,5 @@
 // What few ask for, folded: a line each, and what they hold comes after the first result.
+import { waits } from "../../words/parts/later.ts";
 import * as words from "../../words/read/folded.ts";
 import { useLater } from "../parts/later.ts";
 import type { Given } from "./FoldedBody.tsx";
@@ -14,7 +15,7 @@ export function Folded(given: Given) {
         <details key={part} class="fold">
           <summary>{words.lines[part]}</summary>
           {typeof Body === "string" ? (
-            <p class="fold-wait">{words.waits[Body]}</p>
+            <p class="fold-wait">{waits[Body]}</p>
           ) : (
             <Body of={part} {...given} />
           )}

@@ -4,6 +4,7 @@ import { axisPresets } from "../../model/axis_mapping.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/translate/axes_choice.tsx";
 import { TextField } from "../parts/TextField.tsx";
+import "../parts/axes_panel.css";
 import "./axes_choice.css";
 
 const sides = [

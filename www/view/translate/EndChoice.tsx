@@ -13,6 +13,7 @@ import { Choice } from "../parts/Choice.tsx";
 import { fiveWords } from "../parts/convention_names.ts";
 import { libraryWith, ordersOf } from "../parts/library.ts";
 import { type Convened, LibraryPicker } from "./LibraryPicker.tsx";
+import "../parts/axes_panel.css";
 import "./end_choice.css";
 
 type LibraryEnd = Extract<Endpoint, { kind: "library" }>;

@@ -8,7 +8,7 @@ export const notLoadedLine = (name: string) =>
 export const retryWord = "try again";
 
 export const coreNotLoaded = (reason: string) =>
-  `The core could not be loaded (${reason}). Check the connection and reload the page.`;
+  `The core could not be loaded (${reason}). Check the connection.`;
 
 /** Where the browser was not allowed to compile it. */
 export const coreForbidden = (reason: string) =>

@@ -40,8 +40,16 @@ export const repositoryLinks: Record<RepositoryLink, string> = {
 
 export const spokenProblem = (
   symbol: string,
-  { message, expected, hint }: { message: string; expected: string; hint: string },
-) => `Problem in ${symbol}: ${message}. Expected ${expected}. Try ${hint}.`;
+  {
+    code,
+    message,
+    expected,
+    hint,
+  }: { code: string; message: string; expected: string; hint: string },
+) =>
+  message === ""
+    ? `Problem in ${symbol}: ${code}.`
+    : `Problem in ${symbol}: ${message}. Expected ${expected}. Try ${hint}.`;
 export const spokenNoTurn = "Result: no rotation.";
 export const spokenTurn = (angle: string, axis: string) =>
   `Result: a rotation by ${angle} about ${axis}.`;

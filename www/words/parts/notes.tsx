@@ -199,6 +199,13 @@ export const problemWords = {
   try: "Try:",
   old: "Showing the last valid result.",
   opening: "Showing the opening example.",
+  /** Until it is known what a text is. */
+  reading: "Reading …",
+  /** Where only the kind of a problem is known. */
+  unsaid: (code: string) => `this is not read here (${code})`,
+  missing:
+    "Other forms, and what is wrong in words, are in a part of the page that could not be loaded. Check the connection and",
+  retry: "try again",
 };
 
 /** The scalar's sign does not matter, which is plain to few. */

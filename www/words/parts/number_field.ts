@@ -3,8 +3,12 @@
 /** What stands under a number that cannot be read, while it is edited. */
 export const numberProblem = (
   typed: string,
-  { message, expected }: { message: string; expected: string },
-) => (typed.trim() === "" ? "A number is missing here." : `${message}. Expected: ${expected}.`);
+  { code, message, expected }: { code: string; message: string; expected: string },
+) => {
+  if (typed.trim() === "") return "A number is missing here.";
+  // Of the core that has no sentences.
+  return message === "" ? `This is no number (${code}).` : `${message}. Expected: ${expected}.`;
+};
 
 export const fieldWords = {
   component: (group: string, name: string) => `${group}, ${name}`,

@@ -9,7 +9,3 @@ export const lines: Record<FoldedPart, string> = {
   paired: "The matrix as chosen beside q",
   tangents: "Gibbs vector and modified Rodrigues parameters",
 };
-export const waits = {
-  loading: "Loading …",
-  failed: "This part could not be loaded. Reload the page to try again.",
-};

@@ -1,16 +1,19 @@
 // Start: load the engine, mount the page, keep the address and the state in step.
 import "./style.css";
-import { render } from "preact";
 import { startPasting } from "./action/paste.ts";
+import { readOn, readOnWhereNeeded } from "./action/read_on.ts";
 import { startShortcuts } from "./action/shortcuts.ts";
 import { undoByKey } from "./action/undo_by_key.ts";
 import { fromFragment } from "./address/fragment.ts";
 import { holdWhileTyping, releaseOnLeaving } from "./dom/hold.ts";
+import { keepLetters } from "./dom/letters.ts";
+import { composed } from "./dom/meanwhile.ts";
+import { lookAtPlatform } from "./dom/platform.ts";
 import { keepAddress, restoreAddress } from "./state/keep_address.ts";
 import { followTheme, rememberedNumbers, showTheme } from "./state/settings.ts";
 import { createStore } from "./state/store.ts";
 import { beginWith, loadFile } from "./view/frame/lazy_views.ts";
-import { Page } from "./view/frame/Page.tsx";
+import { mount } from "./view/frame/mount.tsx";
 import { coreForbidden, coreNotLoaded } from "./words/frame/loading.tsx";
 
 const root = document.getElementById("page");
@@ -18,10 +21,14 @@ if (root === null) throw new Error("index.html has no element #page");
 
 restoreAddress();
 beginWith(fromFragment(location.hash).view).then(
-  (engine) => {
+  async (engine) => {
     const store = createStore(engine, location.hash, rememberedNumbers);
-    root.replaceChildren();
-    render(<Page store={store} />, root);
+    // Of a link that the first core cannot read the frame stays until the whole one has.
+    if (store.mayBeRead.peek()) await readOn(store);
+    await composed();
+    mount(store, root);
+    readOnWhereNeeded(store);
+    lookAtPlatform();
     keepAddress(store);
     releaseOnLeaving();
     holdWhileTyping();
@@ -32,11 +39,15 @@ beginWith(fromFragment(location.hash).view).then(
     startPasting(store);
     // The other view of the same core opens at once.
     whenIdle(() => loadFile("compose"));
+    whenIdle(keepLetters);
     if (import.meta.env.PROD) whenIdle(loadOffline);
   },
   (error: unknown) => {
     const words = isForbidden(error) ? coreForbidden : coreNotLoaded;
-    root.querySelector("[data-loading]")?.replaceChildren(words(String(error)));
+    document.querySelector("[data-loading]")?.setAttribute("hidden", "");
+    const line = document.querySelector("[data-not-started]");
+    line?.querySelector("span")?.replaceChildren(words(String(error)));
+    line?.removeAttribute("hidden");
   },
 );
 

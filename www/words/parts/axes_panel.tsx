@@ -1,10 +1,8 @@
-// The words of the convention and its five choices.
+// The words of the five choices.
 import type { ComponentChildren } from "preact";
 import type { Direction } from "../../engine.ts";
 import { arrowOf } from "../conventions.ts";
 
-export const more = "Convention";
-export const choices = "(5 choices)";
 export const named = "Named conventions:";
 export const five = "What four numbers mean is five independent choices.";
 

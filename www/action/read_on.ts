@@ -1,0 +1,32 @@
+// What the core of the first load cannot read is read by the whole one.
+import { effect } from "@preact/signals";
+import { inPlace } from "../dom/hold.ts";
+import { loadWholeEngine } from "../engine.ts";
+import type { Store } from "../state/store.ts";
+
+/** Answers with the whole core from now on, once it is there. It never throws. */
+export async function readOn(store: Store) {
+  store.wholeCore.value = "awaited";
+  try {
+    const engine = await loadWholeEngine();
+    inEditedPlace(() => store.useEngine(engine));
+  } catch {
+    inEditedPlace(() => {
+      store.wholeCore.value = "missing";
+    });
+  }
+}
+
+/** Whatever is said now of a number that is being edited, the number stays where it is. */
+function inEditedPlace(answer: () => void) {
+  const field = document.activeElement;
+  if (field instanceof HTMLInputElement && field.type === "text") inPlace(field, answer);
+  else answer();
+}
+
+/** Asks the whole core whenever there is a text that only it may read. */
+export function readOnWhereNeeded(store: Store) {
+  effect(() => {
+    if (store.mayBeRead.value) readOn(store);
+  });
+}

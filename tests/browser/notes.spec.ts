@@ -256,12 +256,25 @@ test("a problem that can only be guessed offers nothing", async ({ page }) => {
   await expect(quaternionField(page)).toHaveValue("1 2 3");
 });
 
-test("the vector is mended too", async ({ page }) => {
+test("the vector is mended too, and by a key that comes before it is known how", async ({
+  page,
+}) => {
   await page.goto("/");
+  let allow = () => {};
+  const allowed = new Promise<void>((resolve) => {
+    allow = resolve;
+  });
+  await page.route("**/quatlas_bg-*.wasm", async (route) => {
+    await allowed;
+    await route.continue();
+  });
   const vector = page.getByRole("textbox", { name: "vector v" });
   await vector.fill("0,5 0 0,5");
   await vector.focus();
+  await expect(page.getByText("Reading …")).toBeVisible();
   await page.keyboard.press("Alt+Enter");
+  await expect(vector).toHaveValue("0,5 0 0,5");
+  allow();
   await expect(vector).toHaveValue("0.5 0 0.5");
 });
 

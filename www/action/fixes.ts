@@ -16,6 +16,7 @@ import type { Store } from "../state/store.ts";
 import { namedConventions } from "../values.ts";
 import { lettersOf, symbolOf } from "../words/conventions.ts";
 import { doneWords, fixWords, remedyWords } from "../words/parts/notes.tsx";
+import { read } from "./read_on.ts";
 
 export interface Fix {
   /** What it does, as its button says. */
@@ -144,8 +145,13 @@ export function keyFix(store: Store, field: Field): Fix | undefined {
   return fixes.find(({ changes }) => changes === "text") ?? fixes[0];
 }
 
-/** What the key does in a field. */
+/** What the key does in a field; later, where it is not known yet what its text is. */
 export function applyFirst(store: Store, field: Field): boolean {
+  if (store.isReading.peek()) {
+    const asked = store.state.peek();
+    read(store).then(() => store.state.peek() === asked && applyFirst(store, field));
+    return false;
+  }
   const fix = keyFix(store, field);
   if (fix !== undefined) apply(store, fix);
   return fix !== undefined;

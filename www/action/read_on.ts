@@ -30,3 +30,15 @@ export function readOnWhereNeeded(store: Store) {
     if (store.mayBeRead.value) readOn(store);
   });
 }
+
+/** Resolves once it is known what the texts are. */
+export async function read(store: Store) {
+  if (!store.isReading.peek()) return;
+  await new Promise<void>((done) => {
+    const stop = store.isReading.subscribe((isReading) => {
+      if (isReading) return;
+      done();
+      stop();
+    });
+  });
+}

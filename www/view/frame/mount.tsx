@@ -1,6 +1,7 @@
 // Puts the program into the page, which shows the opening example already, and does again what was done with it
 // meanwhile.
 import { hydrate, render } from "preact";
+import { read } from "../../action/read_on.ts";
 import { doAgain, doneMeanwhile } from "../../dom/meanwhile.ts";
 import { chosenFormat } from "../../state/copy_format.ts";
 import { theme } from "../../state/settings.ts";
@@ -22,18 +23,6 @@ export function mount(store: Store, root: HTMLElement) {
   for (const mark of ["case", "waiting", "format"]) delete dataset[mark];
   if (focusedTab) root.querySelector<HTMLElement>(`[data-tab="${focusedTab}"]`)?.focus();
   if (meanwhile) doAgain(meanwhile, root, () => read(store));
-}
-
-/** Resolves once it is known what the texts are. */
-async function read(store: Store) {
-  if (!store.isReading.peek()) return;
-  await new Promise<void>((done) => {
-    const stop = store.isReading.subscribe((isReading) => {
-      if (isReading) return;
-      done();
-      stop();
-    });
-  });
 }
 
 /** Whether all is named as for who was never here: attributes that differ would stay. */

@@ -2,6 +2,7 @@
 import type { Page } from "@playwright/test";
 import {
   expect,
+  holdBack,
   matrix,
   numbersOf,
   quaternionField,
@@ -260,14 +261,7 @@ test("the vector is mended too, and by a key that comes before it is known how",
   page,
 }) => {
   await page.goto("/");
-  let allow = () => {};
-  const allowed = new Promise<void>((resolve) => {
-    allow = resolve;
-  });
-  await page.route("**/quatlas_bg-*.wasm", async (route) => {
-    await allowed;
-    await route.continue();
-  });
+  const allow = await holdBack(page, "**/quatlas_bg-*.wasm");
   const vector = page.getByRole("textbox", { name: "vector v" });
   await vector.fill("0,5 0 0,5");
   await vector.focus();

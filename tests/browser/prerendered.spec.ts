@@ -3,6 +3,7 @@ import { type Page, test as unwatched } from "@playwright/test";
 import {
   expect,
   haveNoLetters,
+  holdBack,
   matrix,
   numbersOf,
   quaternionField,
@@ -16,14 +17,7 @@ const quarterTurn = [0, -1, 0, 1, 0, 0, 0, 0, 1];
 
 /** Opens an address whose program does not come until it is let. */
 async function openWithoutProgram(page: Page, address: string) {
-  let allow = () => {};
-  const allowed = new Promise<void>((resolve) => {
-    allow = resolve;
-  });
-  await page.route("**/index-*.js", async (route) => {
-    await allowed;
-    await route.continue();
-  });
+  const allow = await holdBack(page, "**/index-*.js");
   await page.goto(address, { waitUntil: "commit" });
   await page.waitForFunction(() => document.querySelector("#page footer")?.checkVisibility());
   return async () => {

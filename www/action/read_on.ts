@@ -7,14 +7,11 @@ import type { Store } from "../state/store.ts";
 /** Answers with the whole core from now on, once it is there. It never throws. */
 export async function readOn(store: Store) {
   store.wholeCore.value = "awaited";
-  try {
-    const engine = await loadWholeEngine();
-    inEditedPlace(() => store.useEngine(engine));
-  } catch {
-    inEditedPlace(() => {
-      store.wholeCore.value = "missing";
-    });
-  }
+  const engine = await loadWholeEngine().catch(() => undefined);
+  inEditedPlace(() => {
+    if (engine) store.useEngine(engine);
+    else store.wholeCore.value = "missing";
+  });
 }
 
 /** Whatever is said now of a number that is being edited, the number stays where it is. */

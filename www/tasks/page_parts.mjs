@@ -6,7 +6,7 @@ import { root } from "./shell.mjs";
 
 const folder = join(root, "dist", "page");
 const smallCore = /^quatlas_small_bg-/;
-/** What first.js may preload. */
+/** What is asked for by scripts, in its time. */
 const sleepingLink = /<link data-[^>]*>/g;
 const font = /\.woff2$/;
 

@@ -7,7 +7,9 @@ import type { Plugin } from "vite";
 const name = "service_worker.js";
 const source = join(import.meta.dirname, "..", name);
 
-const sha256 = (content: string | Buffer) => createHash("sha256").update(content).digest("base64");
+/** As policies and integrity name it. */
+export const sha256 = (content: string | Buffer) =>
+  createHash("sha256").update(content).digest("base64");
 
 /** Every file below the folder, by its path with forward slashes, in order. */
 function filesBelow(folder: string): string[] {

@@ -1,9 +1,9 @@
 // The built page holds its opening example already: its HTML rendered by the core, its styles and its first
 // script in it, and the hashes of these in its policy.
-import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { createServer, minify, type Plugin, type Rolldown } from "vite";
+import { sha256 } from "./precache.ts";
 
 const www = join(import.meta.dirname, "..");
 const pkg = join(www, "..", "pkg");
@@ -30,18 +30,11 @@ async function rendered(fragment: string, plugins: Plugin[]): Promise<string> {
   }
 }
 
-/** `'sha256-…'` of an inline part, as a policy names it. */
-function hashOf(part: string): string {
-  return `'sha256-${createHash("sha256").update(part).digest("base64")}'`;
-}
-
-/** The page with hashes beside a source of its policy. */
+/** The page with the hashes of inline parts beside a source of its policy. */
 function allowing(html: string, directive: string, parts: readonly string[]): string {
-  return replaced(
-    html,
-    `${directive} 'self'`,
-    [`${directive} 'self'`, ...parts.map(hashOf)].join(" "),
-  );
+  const own = `${directive} 'self'`;
+  const hashes = parts.map((part) => `'sha256-${sha256(part)}'`);
+  return replaced(html, own, [own, ...hashes].join(" "));
 }
 
 /** The text with a part of it replaced, which must be there. */

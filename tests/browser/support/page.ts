@@ -62,6 +62,19 @@ export function haveNoLetters(page: Page) {
   });
 }
 
+/** Holds the answers to some requests of a page back, until what this returns is called. */
+export async function holdBack(page: Page, address: string): Promise<() => void> {
+  let allow = () => {};
+  const allowed = new Promise<void>((resolve) => {
+    allow = resolve;
+  });
+  await page.route(address, async (route) => {
+    await allowed;
+    await route.continue();
+  });
+  return allow;
+}
+
 const minus = "−";
 
 /** What stands in elements, be it a text or the value of a field. */

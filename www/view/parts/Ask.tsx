@@ -5,6 +5,7 @@ import { readOn } from "../../action/read_on.ts";
 import type { Problem } from "../../engine.ts";
 import type { Freshness, Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
+import { retryWord } from "../../words/frame/loading.tsx";
 import { problemWords } from "../../words/parts/notes.tsx";
 import { MoreAxes } from "./MoreAxes.tsx";
 import { FixButton } from "./Notes.tsx";
@@ -103,7 +104,7 @@ function UnsaidProblem({ store, problem: { field, code }, children }: ProblemPro
       <p class="problem-help">
         <span>{problemWords.missing}</span>
         <button type="button" class="quiet" onClick={() => readOn(store)}>
-          {problemWords.retry}
+          {retryWord}
         </button>
       </p>
     </div>

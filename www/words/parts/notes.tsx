@@ -205,7 +205,6 @@ export const problemWords = {
   unsaid: (code: string) => `this is not read here (${code})`,
   missing:
     "Other forms, and what is wrong in words, are in a part of the page that could not be loaded. Check the connection and",
-  retry: "try again",
 };
 
 /** The scalar's sign does not matter, which is plain to few. */

@@ -49,21 +49,16 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
     let mut notes = p.notes(Field::P);
     notes.extend(q.notes(Field::Q));
     notes.extend(note);
-    notes.extend(composition.out_of_range.map(|out_of_range| Note {
-        field: Field::P,
-        fact: Fact::OutOfRange(out_of_range),
-    }));
+    let out_of_range = composition.out_of_range.map(Fact::OutOfRange);
+    notes.extend(out_of_range.map(|fact| Note::new(Field::P, fact)));
     if composition
         .products
         .iter()
         .any(|product| product.images.is_none())
     {
-        notes.push(Note {
-            field: Field::Vector,
-            fact: Fact::OutOfRange(OutOfRange {
-                what: OutOfRangeNumber::Image,
-            }),
-        });
+        let what = OutOfRangeNumber::Image;
+        let fact = Fact::OutOfRange(OutOfRange { what });
+        notes.push(Note::new(Field::Vector, fact));
     }
     Ok(ComposeReport {
         p: p.as_read(),

@@ -79,10 +79,7 @@ pub(crate) fn of_matrix(
 }
 
 fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Suggestion {
-    Suggestion {
-        remedy,
-        text: rows_text(&rows3(matrix)),
-    }
+    Suggestion::new(remedy, rows_text(&rows3(matrix)))
 }
 
 /// A mirror image and the flip that undoes it with the smallest turn left over.

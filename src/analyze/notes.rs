@@ -54,7 +54,8 @@ impl Attitude {
             facts.push(Fact::NegativeScalar);
         }
         facts.extend(self.extreme_fact());
-        facts.into_iter().map(|fact| Note { field, fact }).collect()
+        let notes = facts.into_iter().map(|fact| Note::new(field, fact));
+        notes.collect()
     }
 
     /// Of angles more than half a turn has one; where it is only rounding that is half a turn.

@@ -39,7 +39,7 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     let mut left_out = |field, what, present: bool| {
         if !present {
             let fact = Fact::OutOfRange(OutOfRange { what });
-            notes.push(Note { field, fact });
+            notes.push(Note::new(field, fact));
         }
     };
     left_out(

@@ -59,12 +59,9 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
         })?;
         let unit = rotation.to_tagged(to.numbers());
         let numbers = with_norm_of(&attitude.tagged, unit).unwrap_or_else(|| {
-            notes.push(Note {
-                field: Field::Quaternion,
-                fact: Fact::OutOfRange(OutOfRange {
-                    what: OutOfRangeNumber::Norm,
-                }),
-            });
+            let what = OutOfRangeNumber::Norm;
+            let fact = Fact::OutOfRange(OutOfRange { what });
+            notes.push(Note::new(Field::Quaternion, fact));
             unit
         });
         (numbers, rotation)
@@ -146,16 +143,17 @@ fn attitude(
 
 /// A problem of the numbers of a line, at their places in it.
 fn as_typed(problem: Problem, line: &Line, text: &str) -> Problem {
-    let suggestion = problem.suggestion.and_then(|suggestion| {
+    let in_line = |suggestion: Suggestion| {
         let text = line.with_numbers(text, &suggestion.text)?;
-        Some(Box::new(Suggestion {
-            text,
-            ..*suggestion
-        }))
-    });
+        Some(Suggestion { text, ..suggestion })
+    };
+    let suggestion = problem
+        .suggestion
+        .and_then(|suggestion| in_line(*suggestion));
     Problem {
         span: line.place(problem.span).unwrap_or(Span::of_trimmed(text)),
-        suggestion,
+        suggestion: suggestion.map(Box::new),
+        choices: problem.choices.into_iter().filter_map(in_line).collect(),
         ..problem
     }
 }
@@ -168,7 +166,7 @@ fn notes(attitude: &Attitude, from: &Meaning) -> Vec<Note> {
     let language = from.library.map(|library| library.language);
     if attitude.row_marks == Some(RowMarks::Brackets) && language.is_some_and(stores_columns) {
         let fact = attitude.rows_fact();
-        notes.extend(fact.map(|fact| Note { field, fact }));
+        notes.extend(fact.map(|fact| Note::new(field, fact)));
     }
     notes
 }

@@ -26,9 +26,9 @@ impl TypedVector {
         let is_read = |text: &str| parse_vector(text).is_ok();
         Ok(Self {
             vector,
-            note: unit::inside_functions(text, &is_read).map(|texts| Note {
-                field,
-                fact: Fact::AngleUnitAssumed(unit_assumed(AngleUnit::Radians, texts)),
+            note: unit::inside_functions(text, &is_read).map(|texts| {
+                let unit = unit_assumed(AngleUnit::Radians, texts);
+                Note::new(field, Fact::AngleUnitAssumed(unit))
             }),
         })
     }

@@ -4,6 +4,9 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::problem::Field;
+use crate::problem::suggestion::Suggestion;
+#[cfg(not(feature = "whole"))]
+use crate::problem::suggestion::empty;
 use serde::{Deserialize, Serialize};
 
 /// One thing worth knowing, as data; the page has the words.
@@ -14,6 +17,34 @@ pub struct Note {
     pub field: Field,
     /// What there is to know.
     pub fact: Fact,
+    /// Whether it stops a reader: [`Fact::stops`] of the fact.
+    pub stops: bool,
+    /// Texts to write instead, where what is meant can be said in one: the likeliest first, mostly none.
+    /// Only with the feature `whole`.
+    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "empty"))]
+    pub suggestions: Vec<Suggestion>,
+}
+
+impl Note {
+    /// The note of a fact, without suggestions.
+    #[must_use]
+    pub const fn new(field: Field, fact: Fact) -> Self {
+        Self {
+            field,
+            stops: fact.stops(),
+            fact,
+            suggestions: Vec::new(),
+        }
+    }
+
+    /// The same note with texts to write instead.
+    #[must_use]
+    pub fn suggesting(self, suggestions: Vec<Suggestion>) -> Self {
+        Self {
+            suggestions,
+            ..self
+        }
+    }
 }
 
 /// What a [`Note`] says.
@@ -53,6 +84,59 @@ pub enum Fact {
     NearlyHalfTurn(NearlyHalfTurn),
     /// Some number is beyond what a double can hold and is left out.
     OutOfRange(OutOfRange),
+}
+
+impl Fact {
+    /// Whether it stops a reader, who has to settle it before the answer is of use: where a meaning was
+    /// taken that neither the text nor the declaration tells, and another one is another rotation.
+    ///
+    /// These stop:
+    ///
+    /// - an unknown constructor: the order was declared for numbers, and its own may be the other one;
+    /// - an assumed unit of angles: degrees for radians are another rotation by a factor of 57;
+    /// - assumed rows, and axes as columns: the other way is the inverse rotation.
+    ///
+    /// These do not: the text is what it says, or the reader declared how it is read.
+    ///
+    /// - a norm that was divided out, and the nearest rotation: what is rounded is the same but for the
+    ///   rounding, and how far off it was is told;
+    /// - an order that the text tells, that was declared, or that makes no difference;
+    /// - a turn that is none or half, or nearly, and a negative scalar: facts of the very rotation;
+    /// - a number that no double holds: it is left out, and no other stands in its place.
+    ///
+    /// ```
+    /// use quatlas::{Convention, Fact, Outcome, ReadRequest, Request, analyze};
+    /// let stops = |text: &str| {
+    ///     let request = ReadRequest::new(text, "1 0 0", Convention::HAMILTON);
+    ///     let Outcome::Read(report) = analyze(&Request::Read(request)) else {
+    ///         panic!("{text} is read")
+    ///     };
+    ///     report.notes.iter().any(|note| note.stops)
+    /// };
+    /// // Nobody has said in which unit these are; those are what was declared.
+    /// assert!(stops("ZYX 30 20 10"));
+    /// assert!(!stops("0.6 0 0 0.8"));
+    /// ```
+    #[must_use]
+    pub const fn stops(&self) -> bool {
+        match self {
+            Self::UnknownConstructor(_)
+            | Self::AngleUnitAssumed(_)
+            | Self::RowsAssumed(_)
+            | Self::AxesAsColumns(_) => true,
+            Self::Normalised(_)
+            | Self::NearestRotation(_)
+            | Self::OrderFromText(_)
+            | Self::OrderAssumed(_)
+            | Self::OrderInvisible
+            | Self::NegativeScalar
+            | Self::NoTurn
+            | Self::NearlyNoTurn(_)
+            | Self::HalfTurn
+            | Self::NearlyHalfTurn(_)
+            | Self::OutOfRange(_) => false,
+        }
+    }
 }
 
 /// The data of [`Fact::Normalised`].

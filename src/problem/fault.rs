@@ -22,6 +22,8 @@ pub struct Fault {
     /// The text to write in its place, where that is certain; none of the functions that only parse
     /// look for one.
     pub suggestion: Option<Box<Suggestion>>,
+    /// The texts of which one has to be chosen, where what is meant is a question; mostly none.
+    pub choices: Box<[Suggestion]>,
 }
 
 /// The sentences of a problem.
@@ -85,6 +87,7 @@ impl Fault {
             expected,
             hint,
             suggestion: None,
+            choices: Box::default(),
         }
     }
 
@@ -100,6 +103,21 @@ impl Fault {
         }
     }
 
+    /// With the texts of which one has to be chosen; a build without the sentences looks for none.
+    #[expect(
+        dead_code,
+        reason = "for the first text that asks which rotation is meant"
+    )]
+    pub(crate) fn offering(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
+        if !cfg!(feature = "whole") {
+            return self;
+        }
+        Self {
+            choices: find().into_boxed_slice(),
+            ..self
+        }
+    }
+
     pub(crate) fn in_field(self, field: Field) -> Problem {
         Problem {
             code: self.code,
@@ -109,6 +127,7 @@ impl Fault {
             expected: self.expected,
             hint: self.hint,
             suggestion: self.suggestion,
+            choices: self.choices,
         }
     }
 }

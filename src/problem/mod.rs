@@ -233,14 +233,12 @@ pub struct Problem {
     pub hint: String,
     /// The text to write in its place, where that is certain; in the answers of
     /// [`analyze`](fn@crate::analyze) only, and only with the feature `whole`.
-    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "none"))]
+    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "suggestion::none"))]
     pub suggestion: Option<Box<Suggestion>>,
-}
-
-/// That there is no suggestion, without the code that writes one.
-#[cfg(not(feature = "whole"))]
-fn none<S: Serializer>(_: &Option<Box<Suggestion>>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_none()
+    /// The texts of which a reader has to choose one, in the order in which they are offered, where what
+    /// is meant is a question, as of several rotations; mostly none. Where and when as the suggestion.
+    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "suggestion::empty"))]
+    pub choices: Box<[Suggestion]>,
 }
 
 impl fmt::Display for Problem {

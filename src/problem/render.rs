@@ -33,6 +33,7 @@ impl Problem {
             expected: self.expected.clone(),
             hint: self.hint.clone(),
             suggestion: self.suggestion.clone(),
+            choices: self.choices.clone(),
         }
     }
 }

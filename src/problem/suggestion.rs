@@ -1,8 +1,10 @@
-//! A text to write in place of one that has a problem.
+//! A text to write in place of one that has a problem, or of which a note asks what it means.
 
+#[cfg(not(feature = "whole"))]
+use serde::Serializer;
 use serde::{Deserialize, Serialize};
 
-/// A whole text to write in place of one that has a problem.
+/// A whole text to write in place of one that has a problem, or of which a note asks what it means.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Suggestion {
@@ -10,6 +12,35 @@ pub struct Suggestion {
     pub remedy: Remedy,
     /// The text, which is read without a problem.
     pub text: String,
+    /// What it is of several, in the words of the text that it was taken from, such as `T_cam_imu` or
+    /// `row 2`; absent where the remedy says it all.
+    pub label: Option<String>,
+}
+
+impl Suggestion {
+    /// A text without a label.
+    pub(crate) fn new(remedy: Remedy, text: impl Into<String>) -> Self {
+        Self {
+            remedy,
+            text: text.into(),
+            label: None,
+        }
+    }
+}
+
+/// That there is no suggestion, without the code that writes one.
+#[cfg(not(feature = "whole"))]
+pub(crate) fn none<S: Serializer>(
+    _: &Option<Box<Suggestion>>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.serialize_none()
+}
+
+/// That there are no suggestions, without the code that writes them.
+#[cfg(not(feature = "whole"))]
+pub(crate) fn empty<S: Serializer>(_: &[Suggestion], serializer: S) -> Result<S::Ok, S::Error> {
+    [(); 0].serialize(serializer)
 }
 
 /// What a [`Suggestion`] does to a text.
@@ -48,4 +79,16 @@ pub enum Remedy {
     RestoreAxis,
     /// The rotation that is nearest to the matrix stands in its place.
     NearestRotation,
+    /// The numbers are said to be those of a quaternion, whatever its norm.
+    AsQuaternion,
+    /// The numbers are said to be an axis and an angle, with the unit of the angle.
+    AsAxisAngle,
+    /// One number is said to be the yaw, with its unit; those of a position are left out.
+    AsYaw,
+    /// The numbers are said to be Euler angles, with their sequence and their unit.
+    AsEulerAngles,
+    /// One of the rotations of the text is kept alone; the label says which.
+    ThisRotation,
+    /// The sequence of the angles is written before them.
+    WithSequence,
 }

@@ -95,8 +95,9 @@ test("the small core answers as the whole core does, or says that there is a pro
         assert.ok(isForWhole(text), `the small core reads it no longer: ${text}`);
         counts.asksWhole += 1;
       } else {
-        for (const { message, expected, hint, suggestion } of mine.problems) {
-          assert.deepEqual([message, expected, hint, suggestion], ["", "", "", undefined], text);
+        for (const { message, expected, hint, suggestion, choices } of mine.problems) {
+          const none = ["", "", "", undefined, []];
+          assert.deepEqual([message, expected, hint, suggestion, choices], none, text);
         }
         if (!isForWhole(text)) assert.deepEqual(placesOf(mine), placesOf(theirs), text);
         counts.problems += 1;

@@ -81,6 +81,7 @@ pub(crate) fn check_offered(texts: &[(&str, Remedy, &str)]) {
         let expected = Suggestion {
             remedy: *remedy,
             text: (*expected).to_owned(),
+            label: None,
         };
         let problem = problem(Field::Quaternion, text);
         assert_eq!(problem.suggestion.as_deref(), Some(&expected), "{text}");

@@ -46,10 +46,7 @@ pub(crate) fn with_suggestion(
             .filter(|(remedy, _)| wanted != Wanted::Vector || *remedy != Remedy::RotationPart)
             .find_map(|&(remedy, rewrite)| {
                 let rewritten = mended(fault, text, rewrite, read, MOST_STEPS)?;
-                let suggestion = Suggestion {
-                    remedy,
-                    text: rewritten,
-                };
+                let suggestion = Suggestion::new(remedy, rewritten);
                 keeps_numbers(text, &suggestion).then_some(suggestion)
             })
     })

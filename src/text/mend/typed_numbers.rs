@@ -25,12 +25,16 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
         | Remedy::RestoreAxis
         | Remedy::NearestRotation => true,
         Remedy::AddZeros => rewritten().starts_with(&typed()),
-        Remedy::RotationPart => {
+        Remedy::RotationPart | Remedy::AsYaw | Remedy::ThisRotation => {
             let mut typed = typed().into_iter();
             rewritten()
                 .iter()
                 .all(|kept| typed.any(|number| number == *kept))
         }
+        Remedy::AsQuaternion
+        | Remedy::AsAxisAngle
+        | Remedy::AsEulerAngles
+        | Remedy::WithSequence => rewritten() == typed(),
         Remedy::MatchBrackets
         | Remedy::PlainCharacters
         | Remedy::RemoveMark

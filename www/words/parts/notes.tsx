@@ -190,6 +190,12 @@ export const remedyWords: Record<Remedy, string> = {
   "rotation-part": "Keep the rotation part",
   "restore-axis": "Flip the axis",
   "nearest-rotation": "Write the nearest rotation",
+  "as-quaternion": "A quaternion",
+  "as-axis-angle": "Axis and angle",
+  "as-yaw": "Position and yaw",
+  "as-euler-angles": "Euler angles",
+  "this-rotation": "Read this one",
+  "with-sequence": "Write the sequence",
 };
 
 export const fixKey = "Alt+Enter";

@@ -107,8 +107,14 @@ pub(crate) mod grammar;
 // A text that has a problem, rewritten so that it is read.
 pub(crate) mod mend;
 
+// What programs print, as data.
+pub(crate) mod formats;
+
 // Tokens to a rotation: which description they are.
 mod readers;
+
+// Whole blocks that programs print.
+pub(crate) mod record;
 
 // Words and names that are known.
 mod vocabulary;

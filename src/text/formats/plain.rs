@@ -1,0 +1,39 @@
+//! What names mean in no particular format.
+
+use crate::convention::order::ComponentOrder::ScalarFirst;
+use crate::text::record::format::{Angles, Field, Part, Unit};
+
+/// Roll, pitch and yaw by name: turns about the fixed axes x, y, z, as in ROS.
+const ROLL_PITCH_YAW: Part = Part::Euler(Angles::new("xyz", Unit::BySize));
+
+/// Names of components and of angles that mean one thing wherever they stand; the longer sets first.
+pub(crate) const PLAIN: &[Field] = &[
+    // FANUC, where W is an angle and no scalar: the rotation about fixed x, y and z.
+    Field::Named(
+        "x y z w p r",
+        &[
+            Part::Position,
+            Part::Euler(Angles::new("xyz", Unit::Usually(crate::convention::angle::AngleUnit::Degrees))),
+        ],
+    ),
+    Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("qc q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("qs q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("qs qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("qr qi qj qk", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("real i j k", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("r i j k", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("quatw quati quatj quatk", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("quatw quatx quaty quatz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("rw rx ry rz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("q1 q2 q3 q4", &[Part::Quaternion(None)]),
+    Field::Named("roll pitch yaw", &[ROLL_PITCH_YAW]),
+    Field::Named("roll pitch heading", &[ROLL_PITCH_YAW]),
+    Field::Named("bank pitch heading", &[ROLL_PITCH_YAW]),
+    Field::Named("x y z", &[Part::Position]),
+    Field::Named("tx ty tz", &[Part::Position]),
+    Field::Named("px py pz", &[Part::Position]),
+    Field::Named("posx posy posz", &[Part::Position]),
+];

@@ -1,0 +1,112 @@
+//! Robot controllers: a position in millimetres, and the orientation of the tool in the base.
+
+use crate::convention::angle::AngleUnit::{Degrees, Radians};
+use crate::convention::order::ComponentOrder::ScalarFirst;
+use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+
+/// Degrees about moving z, y, x.
+const ZYX: Part = Part::Euler(Angles::new("ZYX", Unit::Usually(Degrees)));
+
+/// Degrees about fixed x, y, z.
+const FIXED_XYZ: Part = Part::Euler(Angles::new("xyz", Unit::Usually(Degrees)));
+
+/// Degrees about moving z, y, z.
+const ZYZ: Part = Part::Euler(Angles::new("ZYZ", Unit::Usually(Degrees)));
+
+pub(crate) const ROBOTS: &[Format] = &[
+    // `{X 1, Y 2, Z 3, A 65, B 22, C 104}`: A about z, B about y, C about x, moving, degrees (KUKA System
+    // Software; rc_cube, pose format of KUKA).
+    Format {
+        id: "kuka-abc",
+        name: "KUKA",
+        marks: &["e6pos|kuka|krl|pos act|frame|base data|tool data|e6axis"],
+        order: None,
+        fields: &[Field::Named("a b c", &[ZYX])],
+    },
+    // The same with the status and turn that only KUKA has.
+    Format {
+        id: "kuka-abc",
+        name: "KUKA",
+        marks: &["a", "b", "c", "s", "t"],
+        order: None,
+        fields: &[Field::Named("a b c s t", &[ZYX, Part::Skip(2)])],
+    },
+    // `X = 1 mm, …, W = 10 deg, P = 20 deg, R = 30 deg`: W about x, P about y, R about z, fixed (FANUC).
+    Format {
+        id: "fanuc-wpr",
+        name: "FANUC",
+        marks: &["fanuc|uf|ut|gp1|wpr|xyzwpr|config"],
+        order: None,
+        fields: &[Field::Named("w p r", &[FIXED_XYZ])],
+    },
+    // `movel(p[x, y, z, rx, ry, rz])`: metres and a rotation vector in radians (Universal Robots).
+    Format {
+        id: "universal-robots-pose",
+        name: "Universal Robots",
+        marks: &["p|movel|movej|movep|urscript|tcp|polyscope|ur5|ur10|ur3|ur5e|ur10e|ur3e"],
+        order: None,
+        fields: &[Field::Under(
+            "p|tcp|pose",
+            &[Part::Position, Part::RotationVector(Radians)],
+        )],
+    },
+    // `[[x,y,z],[q1,q2,q3,q4],[conf],[external axes]]`: q1 is the scalar (ABB RAPID).
+    Format {
+        id: "abb-robtarget",
+        name: "ABB RAPID",
+        marks: &["robtarget|wobjdata|tooldata|rapid|orient"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Named("q1 q2 q3 q4", &[Part::Quaternion(Some(ScalarFirst))])],
+    },
+    // `O A T` about moving z, y, z, degrees (Kawasaki).
+    Format {
+        id: "kawasaki-oat",
+        name: "Kawasaki",
+        marks: &["o", "a", "t"],
+        order: None,
+        fields: &[Field::Named("o a t", &[ZYZ])],
+    },
+    // `posx(x, y, z, a, b, c)`: about moving z, y, z, degrees (Doosan).
+    Format {
+        id: "doosan-abc",
+        name: "Doosan",
+        marks: &["posx|doosan"],
+        order: None,
+        fields: &[
+            Field::Under("posx", &[Part::Position, ZYZ]),
+            Field::Named("a b c", &[ZYZ]),
+        ],
+    },
+    // A about x, B about y, C about z, fixed, degrees (Mitsubishi MELFA).
+    Format {
+        id: "mitsubishi-abc",
+        name: "Mitsubishi MELFA",
+        marks: &["melfa|mitsubishi"],
+        order: None,
+        fields: &[Field::Named("a b c", &[FIXED_XYZ])],
+    },
+    // Rx, Ry, Rz about fixed x, y, z, degrees (Yaskawa Motoman).
+    Format {
+        id: "yaskawa-rxryrz",
+        name: "Yaskawa Motoman",
+        marks: &["yaskawa|motoman|rconf|inform"],
+        order: None,
+        fields: &[Field::Named("rx ry rz", &[FIXED_XYZ])],
+    },
+    // `set_position(x, y, z, roll, pitch, yaw)`: millimetres and degrees, fixed x, y, z (UFACTORY).
+    Format {
+        id: "ufactory-xarm",
+        name: "UFACTORY xArm",
+        marks: &["xarm|lite6|get position|set position"],
+        order: None,
+        fields: &[Field::Under("position", &[Part::Position, Part::Euler(Angles::new("xyz", Unit::BySize))])],
+    },
+    // Sixteen numbers column by column (libfranka, robot_state.h).
+    Format {
+        id: "franka-o-t-ee",
+        name: "Franka",
+        marks: &["ee", "o|f|ne"],
+        order: None,
+        fields: &[Field::Under("ee|EE", &[Part::HomogeneousColumns(16)])],
+    },
+];

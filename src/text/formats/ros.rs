@@ -1,0 +1,87 @@
+//! ROS and what belongs to it.
+
+use crate::convention::angle::AngleUnit::Radians;
+use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
+use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+
+/// Yaw, pitch, roll in this order, about moving z, y, x.
+const YAW_PITCH_ROLL: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Radians)));
+
+/// Roll, pitch, yaw about the fixed axes x, y, z.
+const ROLL_PITCH_YAW: Part = Part::Euler(Angles::new("xyz", Unit::Usually(Radians)));
+
+pub(crate) const ROS: &[Format] = &[
+    // `static_transform_publisher 0.1 0 0.2 1.57 0 0 base_link laser 50`: x y z yaw pitch roll, or x y z qx qy
+    // qz qw (geometry2, static_transform_publisher; the period at the end is of ROS 1).
+    Format {
+        id: "ros-static-transform",
+        name: "static_transform_publisher",
+        marks: &["static transform publisher|args|arguments"],
+        order: Some(ScalarLast),
+        fields: &[
+            Field::Under(
+                "args|arguments|static_transform_publisher",
+                &[Part::Position, YAW_PITCH_ROLL],
+            ),
+            Field::Under(
+                "args|arguments|static_transform_publisher",
+                &[Part::Position, Part::Quaternion(Some(ScalarLast))],
+            ),
+        ],
+    },
+    // `<origin xyz="0 0 0.1" rpy="0 1.57 0"/>` (URDF: radians about fixed x, y, z).
+    Format {
+        id: "urdf-origin",
+        name: "URDF",
+        marks: &["origin", "rpy"],
+        order: None,
+        fields: &[Field::Under("rpy", &[ROLL_PITCH_YAW])],
+    },
+    // `<pose>0 0 0.1 0 1.57 0</pose>`; since 1.9 `degrees='true'` and `rotation_format='quat_xyzw'`
+    // (sdformat_spec, pose.sdf).
+    Format {
+        id: "sdformat-pose",
+        name: "SDFormat",
+        marks: &["pose"],
+        order: None,
+        fields: &[
+            Field::Under("pose", &[Part::Position, ROLL_PITCH_YAW]),
+            Field::Under("pose", &[Part::Position, Part::Quaternion(Some(ScalarLast))]),
+        ],
+    },
+    // `VERTEX_SE3:QUAT id x y z qx qy qz qw`, and an edge with its information matrix (g2o).
+    Format {
+        id: "g2o-se3-quat",
+        name: "g2o",
+        marks: &["vertex|edge", "se3"],
+        order: Some(ScalarLast),
+        fields: &[
+            Field::Under(
+                "quat",
+                &[Part::Skip(1), Part::Position, Part::Quaternion(Some(ScalarLast))],
+            ),
+            Field::Under(
+                "quat",
+                &[
+                    Part::Skip(2),
+                    Part::Position,
+                    Part::Quaternion(Some(ScalarLast)),
+                    Part::Skip(21),
+                ],
+            ),
+        ],
+    },
+    // `<body pos="0 0 1" quat="1 0 0 0">`: w first; euler about moving x, y, z, degrees unless the compiler
+    // says otherwise (MuJoCo XML reference, compiler: angle, eulerseq).
+    Format {
+        id: "mujoco-mjcf",
+        name: "MuJoCo",
+        marks: &["body|geom|site|camera|frame|inertial|compiler|joint", "quat|euler|axisangle|xyaxes|zaxis"],
+        order: Some(ScalarFirst),
+        fields: &[
+            Field::Under("quat", &[Part::Quaternion(Some(ScalarFirst))]),
+            Field::Under("euler", &[Part::Euler(Angles::new("XYZ", Unit::Usually(crate::convention::angle::AngleUnit::Degrees)))]),
+            Field::Under("axisangle", &[Part::AxisAngle(Unit::Usually(crate::convention::angle::AngleUnit::Degrees))]),
+        ],
+    },
+];

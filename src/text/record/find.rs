@@ -1,0 +1,310 @@
+//! The quantities of a text to what they are: the formats that are marked in it are asked first, then
+//! what the names say, then the numbers themselves.
+
+use crate::convention::angle::{AngleUnit, UnitSource};
+use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::order::{ComponentOrder, OrderSource};
+use crate::problem::Span;
+use crate::text::description::ParsedRotation;
+use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+use crate::text::record::group::{Group, Named, Quantities, words_of};
+use crate::text::record::meaning::{Meaning, Role};
+use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
+
+/// A quantity that was understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    pub(crate) made: Made,
+    /// The name that stands before it, as written.
+    pub(crate) label: String,
+    pub(crate) span: Span,
+    pub(crate) numbers: Vec<f64>,
+    /// Whether its name says that it was made of a rotation: an inverse, a derivative.
+    pub(crate) is_derived: bool,
+    /// Whether a sign that computes stands at it.
+    pub(crate) is_computed: bool,
+}
+
+/// What a text says for all its quantities.
+pub(crate) struct Context<'f> {
+    pub(crate) formats: Vec<&'f Format>,
+    pub(crate) declared: ComponentOrder,
+    /// The order that the text tells once for all.
+    pub(crate) order: Option<ComponentOrder>,
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) sequence: Option<EulerSequence>,
+}
+
+impl Context<'_> {
+    /// The order of four numbers whose names say this.
+    fn order(&self, meaning: &Meaning) -> (ComponentOrder, OrderSource) {
+        let of_formats = self.formats.iter().find_map(|format| format.order);
+        match (meaning.order.or(self.order), of_formats) {
+            (Some(order), _) => (order, OrderSource::Label),
+            (None, Some(order)) => (order, OrderSource::Format),
+            (None, None) => (self.declared, OrderSource::Declared),
+        }
+    }
+
+    fn said(&self, meaning: &Meaning) -> Said {
+        Said {
+            order: self.order(meaning),
+            unit: meaning.unit.or(self.unit),
+            sequence: meaning.sequence.or(self.sequence),
+        }
+    }
+}
+
+/// All that is understood of the quantities of a text.
+pub(crate) fn found(quantities: &Quantities<'_>, context: &Context<'_>, plain: &[Field]) -> Vec<Found> {
+    let mut all = Vec::new();
+    let fields: Vec<&Field> = context
+        .formats
+        .iter()
+        .flat_map(|format| format.fields)
+        .chain(plain)
+        .collect();
+    for group in &quantities.groups {
+        all.extend(of_group(group, context, &fields));
+    }
+    for named in &quantities.named {
+        all.extend(of_named(named, context, &fields));
+    }
+    all.extend(split_quaternion(quantities, context));
+    all.extend(axis_beside_angle(quantities, context));
+    all.sort_by_key(|found| found.span.start);
+    all
+}
+
+fn label_of(path: &[&str]) -> String {
+    path.iter()
+        .rev()
+        .find(|key| !key.is_empty())
+        .map_or("", |key| key)
+        .to_owned()
+}
+
+fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<Found> {
+    let meaning = Meaning::of(&group.path);
+    let said = context.said(&meaning);
+    let of_fields = fields.iter().find_map(|field| {
+        let (is_it, parts) = match field {
+            Field::Under(names, parts) => (stands_under(&group.path, names), parts),
+            Field::Row(parts) => (group.path.iter().all(|key| key.is_empty()), parts),
+            Field::Named(..) => return None,
+        };
+        is_it.then(|| made(parts, &group.numbers, said)).flatten()
+    });
+    let made = of_fields.unwrap_or_else(|| by_name(group, &meaning, said));
+    made.into_iter()
+        .map(|made| Found {
+            made,
+            label: label_of(&group.path),
+            span: group.span,
+            numbers: group.numbers.clone(),
+            is_derived: meaning.role == Some(Role::Derived),
+            is_computed: group.is_computed,
+        })
+        .collect()
+}
+
+/// Whether one of these names, in words, stands over numbers.
+fn stands_under(path: &[&str], names: &str) -> bool {
+    path.iter().any(|key| {
+        let words = words_of(key);
+        names.split('|').any(|name| {
+            let name = words_of(name);
+            words.windows(name.len().max(1)).any(|own| own == name)
+        })
+    })
+}
+
+/// What numbers are by their name and count.
+fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said) -> Vec<Made> {
+    let numbers = &group.numbers[..];
+    let role = meaning.role;
+    let parts = |parts: &[Part]| made(parts, numbers, said);
+    let none = vec![Made::Nothing];
+    if matches!(role, Some(Role::Other | Role::Time)) {
+        return none;
+    }
+    let three = <[f64; 3]>::try_from(numbers).ok();
+    match (numbers.len(), role) {
+        (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
+        (3, Some(Role::Scale)) => parts(&[Part::Scale]).unwrap_or(none),
+        (3, Some(Role::Euler | Role::Rotation)) if said.sequence.is_some() => {
+            let angles = Angles::new("ZYX", Unit::BySize);
+            parts(&[Part::Euler(angles)]).unwrap_or(none)
+        }
+        (3, Some(Role::RotationVector | Role::AxisAngle)) => {
+            let unit = said.unit.map_or(
+                UnitSource::Assumed(AngleUnit::Radians),
+                UnitSource::Written,
+            );
+            three.map_or(none, |numbers| vec![Made::Rotation(rotation_vector(numbers, unit))])
+        }
+        (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
+        (4, None | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived)) => {
+            let rotation = quaternion(numbers, said.order);
+            rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
+        }
+        (7, _) => parts(&[Part::Position, Part::Quaternion(None)])
+            .or_else(|| parts(&[Part::Quaternion(None), Part::Position]))
+            .unwrap_or(none),
+        (8, _) => parts(&[Part::Time, Part::Position, Part::Quaternion(None)]).unwrap_or(none),
+        (9, _) if meaning.by_columns => parts(&[Part::Columns]).unwrap_or(none),
+        (9, _) => parts(&[Part::Rows]).unwrap_or(none),
+        (12, _) => only([
+            parts(&[Part::HomogeneousRows(12)]),
+            parts(&[Part::Rows, Part::Position]),
+            parts(&[Part::Position, Part::Rows]),
+        ])
+        .unwrap_or(none),
+        (16, _) => parts(&[Part::HomogeneousRows(16)])
+            .or_else(|| parts(&[Part::HomogeneousColumns(16)]))
+            .unwrap_or(none),
+        _ => none,
+    }
+}
+
+/// The only reading that there is.
+fn only<const COUNT: usize>(readings: [Option<Vec<Made>>; COUNT]) -> Option<Vec<Made>> {
+    let mut found = readings.into_iter().flatten();
+    let first = found.next()?;
+    found.next().is_none().then_some(first)
+}
+
+fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<Found> {
+    let mut path = named.path.clone();
+    path.push(&named.stem);
+    let meaning = Meaning::of(&path);
+    let mut left: Vec<&_> = named.members.iter().collect();
+    let mut all = Vec::new();
+    for field in fields {
+        let Field::Named(names, parts) = field else {
+            continue;
+        };
+        let wanted: Vec<&str> = names.split(' ').collect();
+        let members: Option<Vec<_>> = wanted
+            .iter()
+            .map(|name| left.iter().find(|member| member.name == *name).copied())
+            .collect();
+        let Some(members) = members else {
+            continue;
+        };
+        if matches!(parts, [Part::Position]) && !is_of_vector(&meaning) {
+            continue;
+        }
+        let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
+        let mut said = context.said(&meaning);
+        let of_names = |order| (order, OrderSource::Named);
+        if let [Part::Quaternion(Some(order))] = parts {
+            said.order = of_names(*order);
+        }
+        let parts: Vec<Part> = parts
+            .iter()
+            .map(|part| match part {
+                Part::Quaternion(Some(_)) => Part::Quaternion(None),
+                other => *other,
+            })
+            .collect();
+        let Some(made) = made(&parts, &numbers, said) else {
+            continue;
+        };
+        left.retain(|member| !wanted.contains(&member.name.as_str()));
+        let span = members
+            .iter()
+            .map(|member| member.span)
+            .reduce(Span::to)
+            .unwrap_or_default();
+        all.extend(made.into_iter().map(|made| Found {
+            made,
+            label: label_of(&path),
+            span,
+            numbers: numbers.clone(),
+            is_derived: meaning.role == Some(Role::Derived),
+            is_computed: members.iter().any(|member| member.is_computed),
+        }));
+    }
+    all
+}
+
+/// Whether x, y and z can be a position here.
+fn is_of_vector(meaning: &Meaning) -> bool {
+    !matches!(
+        meaning.role,
+        Some(Role::Other | Role::Euler | Role::Rotation | Role::RotationVector | Role::Axis | Role::Quaternion | Role::Scale | Role::Vector)
+    )
+}
+
+/// A scalar and a vector, each under its name: `real: 0.8, imag: (…)`.
+fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Option<Found> {
+    let vector = quantities
+        .groups
+        .iter()
+        .find(|group| group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector))?;
+    let scalar = quantities
+        .named
+        .iter()
+        .filter(|named| named.scope == vector.scope)
+        .flat_map(|named| &named.members)
+        .find(|member| matches!(member.name.as_str(), "real" | "s" | "w" | "scalar" | "re"))?;
+    let numbers = [scalar.value, vector.numbers[0], vector.numbers[1], vector.numbers[2]];
+    let _ = context;
+    let rotation = quaternion(&numbers, (ComponentOrder::ScalarFirst, OrderSource::Grouped))?;
+    Some(Found {
+        made: Made::Rotation(rotation),
+        label: label_of(&vector.path[..vector.path.len() - 1]),
+        span: scalar.span.to(vector.span),
+        numbers: numbers.to_vec(),
+        is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
+        is_computed: vector.is_computed || scalar.is_computed,
+    })
+}
+
+/// An axis and an angle, each under its name.
+fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Option<Found> {
+    let role = |path: &[&str]| Meaning::of(path).role;
+    let group = quantities
+        .groups
+        .iter()
+        .find(|group| group.numbers.len() == 3 && role(&group.path) == Some(Role::Axis));
+    let named_axis = || {
+        quantities.named.iter().find_map(|named| {
+            let mut path = named.path.clone();
+            path.push(&named.stem);
+            (role(&path) == Some(Role::Axis) && named.members.len() == 3).then(|| {
+                let numbers: Vec<f64> = named.members.iter().map(|member| member.value).collect();
+                let span = named.members[0].span.to(named.members[2].span);
+                (numbers, span)
+            })
+        })
+    };
+    let (axis, axis_span) = group
+        .map(|group| (group.numbers.clone(), group.span))
+        .or_else(named_axis)?;
+    let (angle, meaning) = quantities.named.iter().find_map(|named| {
+        let member = named.members.iter().find(|member| member.name == "angle")?;
+        let mut path = named.path.clone();
+        path.push(&named.stem);
+        Some((member, Meaning::of(&path)))
+    })?;
+    let numbers: Vec<f64> = axis.into_iter().chain([angle.value]).collect();
+    let made = made(&[Part::AxisAngle(Unit::BySize)], &numbers, context.said(&meaning))?;
+    Some(Found {
+        made: made.into_iter().next()?,
+        label: "angle".to_owned(),
+        span: angle.span.to(axis_span),
+        numbers,
+        is_derived: meaning.role == Some(Role::Derived),
+        is_computed: angle.is_computed,
+    })
+}
+
+/// Whether two rotations are one within what rounding leaves open, in degrees.
+pub(crate) fn rotation_of(found: &Found) -> Option<&ParsedRotation> {
+    match &found.made {
+        Made::Rotation(rotation) | Made::Columns(rotation) => Some(rotation),
+        _ => None,
+    }
+}

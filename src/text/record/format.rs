@@ -1,0 +1,112 @@
+//! What a program prints, as data: the words that mark it, its fields, and what they mean.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::order::ComponentOrder;
+
+/// A format, or the prints of one program.
+#[derive(Debug)]
+pub(crate) struct Format {
+    /// Its id in the table of libraries and formats.
+    pub(crate) id: &'static str,
+    /// What people call it.
+    pub(crate) name: &'static str,
+    /// The words by which it is known: one of each entry must stand in the text; bars divide them.
+    pub(crate) marks: &'static [&'static str],
+    /// The order of four numbers without names; `None` where the format has none of its own.
+    pub(crate) order: Option<ComponentOrder>,
+    pub(crate) fields: &'static [Field],
+}
+
+/// Where numbers stand and what they are.
+#[derive(Debug)]
+pub(crate) enum Field {
+    /// Numbers under one of these names, which bars divide.
+    Under(&'static str, &'static [Part]),
+    /// Single numbers with these names, which spaces divide, in the order of the parts.
+    Named(&'static str, &'static [Part]),
+    /// A row of the text that begins with numbers.
+    Row(&'static [Part]),
+}
+
+/// What the next numbers are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// Numbers that say nothing of a rotation.
+    Skip(usize),
+    Time,
+    /// A time that is counted in nanoseconds, by its size.
+    Nanoseconds,
+    Position,
+    Scale,
+    /// Four numbers in this order, or in that which is declared.
+    Quaternion(Option<ComponentOrder>),
+    Euler(Angles),
+    RotationVector(AngleUnit),
+    /// Three numbers of an axis, and the angle.
+    AxisAngle(Unit),
+    /// The angle, and three numbers of an axis.
+    AngleAxis(Unit),
+    /// Nine numbers row by row.
+    Rows,
+    /// Nine numbers column by column.
+    Columns,
+    /// Twelve or sixteen numbers row by row, the translation in the last column.
+    HomogeneousRows(usize),
+    /// Sixteen numbers column by column.
+    HomogeneousColumns(usize),
+}
+
+/// The unit of angles: that of the format, which a word in the text may change, or to be seen from their size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unit {
+    Always(AngleUnit),
+    Usually(AngleUnit),
+    BySize,
+}
+
+/// Euler angles of a format.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Angles {
+    /// In the letters of `SciPy`: capitals move, small letters are fixed.
+    pub(crate) sequence: &'static str,
+    pub(crate) unit: Unit,
+    /// Which of the numbers is the angle about each axis of the sequence.
+    pub(crate) places: [usize; 3],
+    /// The sign of each angle of the sequence.
+    pub(crate) signs: [f64; 3],
+}
+
+impl Angles {
+    /// Angles in the order of the sequence, with the usual signs.
+    pub(crate) const fn new(sequence: &'static str, unit: Unit) -> Self {
+        Self {
+            sequence,
+            unit,
+            places: [0, 1, 2],
+            signs: [1.0; 3],
+        }
+    }
+
+    pub(crate) const fn placed(self, places: [usize; 3]) -> Self {
+        Self { places, ..self }
+    }
+
+    pub(crate) const fn signed(self, signs: [f64; 3]) -> Self {
+        Self { signs, ..self }
+    }
+}
+
+impl Part {
+    /// How many numbers it takes.
+    pub(crate) const fn count(self) -> usize {
+        match self {
+            Self::Skip(count) | Self::HomogeneousRows(count) | Self::HomogeneousColumns(count) => {
+                count
+            }
+            Self::Time | Self::Nanoseconds => 1,
+            Self::Position | Self::Scale | Self::Euler(_) | Self::RotationVector(_) => 3,
+            Self::Quaternion(_) | Self::AxisAngle(_) | Self::AngleAxis(_) => 4,
+            Self::Rows | Self::Columns => 9,
+        }
+    }
+}

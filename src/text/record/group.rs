@@ -1,0 +1,343 @@
+//! The tree of a text to its quantities: runs of numbers, and single numbers by name.
+
+use crate::problem::Span;
+use crate::text::record::outline::{Kind, Member};
+
+/// Numbers that stand together.
+#[derive(Clone, Debug)]
+pub(crate) struct Group<'t> {
+    /// The names of what holds it from the outermost on; the last is its own, and may be empty.
+    pub(crate) path: Vec<&'t str>,
+    pub(crate) numbers: Vec<f64>,
+    /// How many numbers each row has.
+    pub(crate) rows: Vec<usize>,
+    pub(crate) span: Span,
+    /// Which scope holds it.
+    pub(crate) scope: usize,
+    /// Whether a sign that computes stands at it or inside.
+    pub(crate) is_computed: bool,
+    pub(crate) follows_bar: bool,
+}
+
+/// A word that is a value: `_order: 'XYZ'`.
+#[derive(Clone, Debug)]
+pub(crate) struct Value<'t> {
+    pub(crate) key: &'t str,
+    pub(crate) text: &'t str,
+}
+
+/// Single numbers by name that stand together: `x: 1 y: 2 z: 3`.
+#[derive(Clone, Debug)]
+pub(crate) struct Named<'t> {
+    pub(crate) path: Vec<&'t str>,
+    /// What the names have in common: `stateEstimate` of `stateEstimate.qx`.
+    pub(crate) stem: String,
+    pub(crate) members: Vec<NamedNumber>,
+    pub(crate) scope: usize,
+    /// Whether more than the first have the stem.
+    others_have_stem: bool,
+}
+
+/// A number by name.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedNumber {
+    /// In small letters.
+    pub(crate) name: String,
+    pub(crate) value: f64,
+    pub(crate) span: Span,
+    pub(crate) is_computed: bool,
+}
+
+/// All quantities of a text.
+#[derive(Default)]
+pub(crate) struct Quantities<'t> {
+    pub(crate) groups: Vec<Group<'t>>,
+    pub(crate) values: Vec<Value<'t>>,
+    pub(crate) named: Vec<Named<'t>>,
+    scopes: usize,
+}
+
+impl<'t> Quantities<'t> {
+    pub(crate) fn of(members: &[Member<'t>]) -> Self {
+        let mut found = Self::default();
+        found.collect(members, &[""], Holder::Lines);
+        found.named = named(&found.groups);
+        found
+            .groups
+            .retain(|group| !(group.numbers.len() == 1 && is_named(group)));
+        found
+    }
+
+    fn collect(&mut self, members: &[Member<'t>], path: &[&'t str], holder: Holder) {
+        let scope = self.scopes;
+        self.scopes += 1;
+        let mut at = 0;
+        while let Some(member) = members.get(at) {
+            let within = |key: &'t str| {
+                let mut path = path.to_vec();
+                path.push(key);
+                path
+            };
+            let rest = &members[at..];
+            match member.kind {
+                Kind::Word => {
+                    self.values.push(Value {
+                        key: member.key,
+                        text: member.text,
+                    });
+                    at += 1;
+                }
+                Kind::Number(_) => {
+                    let run = run(rest, holder);
+                    self.groups.push(Group {
+                        is_computed: run.iter().any(|member| member.is_computed),
+                        ..group_of(run, within(member.key), scope)
+                    });
+                    at += run.len();
+                }
+                Kind::Scope => match alike(rest) {
+                    Some((count, numbers, rows)) => {
+                        let alike = &rest[..count];
+                        self.groups.push(Group {
+                            path: within(member.key),
+                            numbers,
+                            rows,
+                            span: alike[0].span.to(alike[count - 1].span),
+                            scope,
+                            is_computed: alike.iter().any(is_computed),
+                            follows_bar: member.follows_bar,
+                        });
+                        at += count;
+                    }
+                    None => {
+                        let inside = if member.is_bracketed {
+                            Holder::Bracket
+                        } else {
+                            Holder::Lines
+                        };
+                        self.collect(&member.members, &within(member.key), inside);
+                        at += 1;
+                    }
+                },
+            }
+        }
+    }
+}
+
+/// Whether lines inside mean anything.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Holder {
+    Lines,
+    Bracket,
+}
+
+fn is_computed(member: &Member<'_>) -> bool {
+    member.is_computed || member.members.iter().any(is_computed)
+}
+
+/// Numbers one after the other, of which only the first may have a name; rows that differ in length are
+/// of different things.
+fn run<'m, 't>(members: &'m [Member<'t>], holder: Holder) -> &'m [Member<'t>] {
+    let goes_on = |member: &&Member<'_>| {
+        matches!(member.kind, Kind::Number(_)) && member.key.is_empty() && !member.follows_bar
+    };
+    let length = 1 + members[1..].iter().take_while(goes_on).count();
+    let run = &members[..length];
+    if holder == Holder::Bracket {
+        return run;
+    }
+    let rows = row_lengths(run);
+    let first = rows[0];
+    let mut same: usize = rows.iter().take_while(|row| **row == first).sum();
+    // Under a name of its own line the next line is something else, but for the rows of a matrix.
+    if !run[0].key.is_empty() && first < 3 {
+        same = first;
+    }
+    &run[..same]
+}
+
+fn row_lengths(run: &[Member<'_>]) -> Vec<usize> {
+    run.chunk_by(|one, next| one.row == next.row)
+        .map(<[_]>::len)
+        .collect()
+}
+
+fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'t> {
+    Group {
+        path,
+        numbers: run.iter().filter_map(number).collect(),
+        rows: row_lengths(run),
+        span: run[0].span.to(run[run.len() - 1].span),
+        scope,
+        is_computed: false,
+        follows_bar: run[0].follows_bar,
+    }
+}
+
+fn number(member: &Member<'_>) -> Option<f64> {
+    match member.kind {
+        Kind::Number(value) => Some(value),
+        Kind::Word | Kind::Scope => None,
+    }
+}
+
+/// The brackets at the start that hold only numbers, as many of each as of the first: how many they are,
+/// and their numbers row by row.
+fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
+    let (mut numbers, mut rows) = pure(&members[0])?;
+    let mut count = 1;
+    if rows.len() == 1 {
+        for next in &members[1..] {
+            if next.kind != Kind::Scope || !next.key.is_empty() || next.follows_bar {
+                break;
+            }
+            match pure(next) {
+                Some((more, lengths)) if lengths == rows[..1] => {
+                    numbers.extend(more);
+                    rows.extend(lengths);
+                }
+                _ => break,
+            }
+            count += 1;
+        }
+    }
+    Some((count, numbers, rows))
+}
+
+/// The numbers of a bracket that holds nothing else, row by row.
+fn pure(member: &Member<'_>) -> Option<(Vec<f64>, Vec<usize>)> {
+    let members = &member.members;
+    if member.kind != Kind::Scope || members.is_empty() {
+        return None;
+    }
+    if members
+        .iter()
+        .all(|member| number(member).is_some() && member.key.is_empty())
+    {
+        let numbers: Vec<f64> = members.iter().filter_map(number).collect();
+        let rows = row_lengths(members);
+        return Some((numbers, rows));
+    }
+    let inner: Vec<_> = members
+        .iter()
+        .map(|member| pure(member).filter(|_| member.key.is_empty()))
+        .collect::<Option<_>>()?;
+    // Brackets around one list, or rows of one length.
+    if let [only] = &inner[..] {
+        return Some(only.clone());
+    }
+    let first = inner[0].0.len();
+    let same = inner.iter().all(|(numbers, _)| numbers.len() == first);
+    same.then(|| {
+        let rows = vec![first; inner.len()];
+        (inner.into_iter().flat_map(|(numbers, _)| numbers).collect(), rows)
+    })
+}
+
+/// The words of a name, in small letters: `m_LocalRotation` is m, local, rotation.
+pub(crate) fn words_of(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    let mut characters = name.chars().peekable();
+    while let Some(mark) = characters.next() {
+        let next_is_small = characters.peek().is_some_and(|next| next.is_lowercase());
+        let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
+        let begins = !before.is_alphanumeric()
+            || (before.is_lowercase() && mark.is_uppercase())
+            || (before.is_uppercase() && mark.is_uppercase() && next_is_small)
+            || (before.is_ascii_digit() && mark.is_alphabetic() && before != ' ' && mark.is_uppercase());
+        if is_part {
+            if begins || words.is_empty() {
+                words.push(String::new());
+            }
+            if let Some(word) = words.last_mut() {
+                word.extend(mark.to_lowercase());
+            }
+        }
+        before = mark;
+    }
+    words
+}
+
+/// The name of a single number, and what stands before it: `pose.orientation.x` is x of pose, orientation.
+fn name_and_stem(key: &str) -> (String, String) {
+    let mut words = words_of(key);
+    if words.len() > 1 && words.last().is_some_and(|last| is_addition(last)) {
+        words.pop();
+    }
+    let mut name = words.pop().unwrap_or_default();
+    // `q_w`, `quat.w`, `qW`: the name says whose component it is.
+    if name.len() == 1
+        && "wxyz".contains(&name)
+        && words.last().is_some_and(|last| last == "q")
+    {
+        words.pop();
+        name.insert(0, 'q');
+    }
+    (name, words.join(" "))
+}
+
+/// What stands behind a name and says its unit or its type.
+fn is_addition(word: &str) -> bool {
+    ["val", "value", "deg", "degrees", "degree", "rad", "radians", "radian", "m", "mm", "°"]
+        .contains(&word)
+}
+
+fn own_key<'t>(group: &Group<'t>) -> &'t str {
+    group.path.last().copied().unwrap_or("")
+}
+
+fn is_named(group: &Group<'_>) -> bool {
+    !own_key(group).is_empty()
+}
+
+/// The single numbers by name, those together that stand together.
+fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
+    let mut found: Vec<Named<'t>> = Vec::new();
+    for group in groups {
+        if group.numbers.len() != 1 || !is_named(group) {
+            continue;
+        }
+        let (name, stem) = name_and_stem(own_key(group));
+        let member = NamedNumber {
+            name,
+            value: group.numbers[0],
+            span: group.span,
+            is_computed: group.is_computed,
+        };
+        let path = &group.path[..group.path.len() - 1];
+        if let Some(last) = found.last_mut()
+            && last.scope == group.scope
+            && belongs(last, &stem, &member)
+        {
+            last.others_have_stem |= !stem.is_empty();
+            last.members.push(member);
+        } else {
+            found.push(Named {
+                path: path.to_vec(),
+                stem,
+                members: vec![member],
+                scope: group.scope,
+                others_have_stem: false,
+            });
+        }
+    }
+    found
+}
+
+/// `Position: X 1 Y 2`: only the first is told; `Acc X: 1, Acc Y: 2, q0: 0.5`: the third is not of it.
+fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber) -> bool {
+    let is_new = named.members.iter().all(|own| own.name != member.name);
+    let tells_first_only = stem.is_empty() && !named.others_have_stem;
+    is_new && (stem == named.stem || tells_first_only)
+}
+
+impl<'t> Quantities<'t> {
+    /// With the groups of a table in place of those that stand inside it.
+    pub(crate) fn replace(&mut self, inside: impl Fn(Span) -> bool, groups: Vec<Group<'t>>) {
+        self.groups.retain(|group| !inside(group.span));
+        self.named
+            .retain(|named| !named.members.iter().all(|member| inside(member.span)));
+        self.named.extend(named(&groups));
+    }
+}

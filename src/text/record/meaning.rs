@@ -1,0 +1,196 @@
+//! What the name of numbers says that they are.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
+use crate::convention::order::ComponentOrder;
+use crate::text::record::group::words_of;
+use crate::text::vocabulary::constructors::{Call, call, is_derived_label, order_in_name};
+
+/// What numbers are by their name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    Position,
+    Scale,
+    Time,
+    /// A rotation in whichever description has so many numbers.
+    Rotation,
+    Quaternion,
+    Euler,
+    RotationVector,
+    AxisAngle,
+    Axis,
+    Angle,
+    Matrix,
+    /// The scalar of a quaternion, and its vector.
+    Scalar,
+    Vector,
+    /// Something that is no rotation: a velocity, a covariance, a colour.
+    Other,
+    /// Something that was made of a rotation: its inverse, its derivative.
+    Derived,
+}
+
+/// Words, and what numbers under them are.
+const ROLES: &[(Role, &str)] = &[
+    (
+        Role::Position,
+        "position pos translation translate trans tvec t xyz origin location loc p offset place \
+         coordinates coordinate point center centre pinx target xyzposition tx displacement place pv lla \
+         posx posy posz placement localposition cpos lookat",
+    ),
+    (Role::Scale, "scale scl scaling s scalefactor localscale"),
+    (
+        Role::Time,
+        "time stamp timestamp epoch sec secs nanosec nsec nsecs seconds usec ms",
+    ),
+    (
+        Role::Quaternion,
+        "quaternion quat quaternions quats quatf quatd quath q qbn qnb attq quaternionf quaterniond fquat xyzw wxyz orient",
+    ),
+    (
+        Role::Rotation,
+        "rotation rot orientation attitude rotate rotations heading pose transform so3",
+    ),
+    (
+        Role::Euler,
+        "euler eulers rpy ypr rollpitchyaw yawpitchroll eulerangles angles rotator frotator hpr eul attangles",
+    ),
+    (
+        Role::RotationVector,
+        "rotvec rvec rotationvector rodrigues rvecs axisanglevector",
+    ),
+    (Role::AxisAngle, "axisangle axang angleaxis rotate3d sfrotation aa"),
+    (Role::Axis, "axis"),
+    (Role::Angle, "angle theta"),
+    (
+        Role::Matrix,
+        "matrix r mat basis dcm rotmat rotationmatrix rotm matrix3d matrix4d transformmatrix tf extrinsic extrinsics \
+         matrix3 matrix4 mat3 mat4 simd cbn cnb",
+    ),
+    (Role::Scalar, "real w scalar re"),
+    (Role::Vector, "imag v vec vector im imaginary xyzvector"),
+    (
+        Role::Other,
+        "covariance cov velocity vel linear angular twist acc accel acceleration gyro gyr mag magn magnetic field \
+         intrinsics intrinsic distortion coeffs resolution rows cols mass inertia size extents joint joints config conf \
+         color colour colors rgba rgb plane normal gravity temperature temp pressure weight weights fov focal camera \
+         uncertainty ± overlaps children mesh bbox box bounds min max status calibration sys version id seq index port \
+         angvel linvel omega rate rates rate0 omegas force torque wrench error residual stdev std sigma variance \
+         lat lon alt latitude longitude altitude hz fps frames frame width height length radius joint1 extax axes_config \
+         k projection essential fundamental homography jacobian hessian skew pid gains percent probability battery \
+         speed speeds wheel wheels shear bias noise limits lower upper effort",
+    ),
+    (
+        Role::Derived,
+        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv log delta",
+    ),
+];
+
+/// What a word says.
+fn role_of_word(word: &str) -> Option<Role> {
+    ROLES
+        .iter()
+        .find(|(_, words)| words.split_whitespace().any(|known| known == word))
+        .map(|&(role, _)| role)
+}
+
+/// What names say, of those that hold numbers from the outermost to their own.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Meaning {
+    pub(crate) role: Option<Role>,
+    pub(crate) order: Option<ComponentOrder>,
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) sequence: Option<EulerSequence>,
+    pub(crate) by_columns: bool,
+}
+
+impl Meaning {
+    /// What a path of names says; the inner ones say more than the outer ones.
+    pub(crate) fn of(path: &[&str]) -> Self {
+        let mut meaning = Self::default();
+        for key in path.iter().rev() {
+            meaning.take(key);
+        }
+        meaning
+    }
+
+    fn take(&mut self, key: &str) {
+        let words = words_of(key);
+        let joined = words.join("");
+        let two = words.windows(2).map(|pair| pair.concat());
+        let all: Vec<String> = words.iter().cloned().chain(two).collect();
+        if words.is_empty() {
+            return;
+        }
+        self.order = self.order.or_else(|| order_in_name(&joined)).or_else(|| {
+            // `rotation: Quat(…)`: the last word is the call.
+            let name = key.rsplit([' ', '\t']).next().unwrap_or(key);
+            match call(name) {
+                Call::Ordered(order) => Some(order),
+                _ => None,
+            }
+        });
+        self.unit = self
+            .unit
+            .or_else(|| words.iter().rev().find_map(|word| AngleUnit::named(word)));
+        self.sequence = self.sequence.or_else(|| sequence_of(key, &words));
+        self.by_columns |= words
+            .iter()
+            .any(|word| matches!(word.as_str(), "column" | "columns" | "columnmajor"));
+        let derived = is_derived_label(key) || words.iter().any(|word| role_of_word(word) == Some(Role::Derived));
+        let own = if derived {
+            Some(Role::Derived)
+        } else {
+            Self::role_in(key, &words, &all)
+        };
+        self.role = match (self.role, own) {
+            (Some(Role::Derived), _) | (_, Some(Role::Derived)) => Some(Role::Derived),
+            // `Rotation: in RPY`: the inner name is the nearer one.
+            (Some(own), _) => Some(own),
+            (None, outer) => outer,
+        };
+    }
+
+    fn role_in(key: &str, words: &[String], all: &[String]) -> Option<Role> {
+        // `T` is a transform and `t` a translation; `R` is a matrix.
+        let first = key.split(|mark: char| !mark.is_alphanumeric()).find(|word| !word.is_empty());
+        if first == Some("T") {
+            return Some(Role::Matrix);
+        }
+        let two = all[words.len()..].iter().rev().find_map(|word| role_of_word(word));
+        two.or_else(|| words.iter().rev().find_map(|word| role_of_word(word)))
+            // `r` alone is no matrix in the middle of a name.
+            .filter(|role| !(*role == Role::Matrix && first == Some("r")))
+    }
+}
+
+/// The sequence of Euler angles in a name: `rpy`, `Yaw-Pitch-Roll`, `euler_zyx`, `intrinsic XYZ`.
+fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
+    let joined = words.join("");
+    for (name, sequence) in [
+        ("rollpitchyaw", EulerSequence::ROLL_PITCH_YAW),
+        ("rpy", EulerSequence::ROLL_PITCH_YAW),
+        ("yawpitchroll", EulerSequence::AEROSPACE),
+        ("ypr", EulerSequence::AEROSPACE),
+    ] {
+        if joined.contains(name) {
+            return Some(sequence);
+        }
+    }
+    let frame = words.iter().find_map(|word| match word.as_str() {
+        "intrinsic" | "moving" | "rotating" => Some(EulerFrame::Intrinsic),
+        "extrinsic" | "fixed" | "static" => Some(EulerFrame::Extrinsic),
+        _ => None,
+    });
+    let is_euler = words.iter().any(|word| word.starts_with("eul"));
+    let letters = key
+        .split(|mark: char| !mark.is_alphanumeric())
+        .find(|word| word.len() == 3 && word.parse::<EulerSequence>().is_ok())?;
+    let sequence: EulerSequence = letters.parse().ok()?;
+    match frame {
+        Some(frame) => Some(EulerSequence { frame, ..sequence }),
+        // Capitals in a name are moving axes; small letters there may be only the style of names.
+        None if is_euler && letters.starts_with(char::is_uppercase) => Some(sequence),
+        None => None,
+    }
+}

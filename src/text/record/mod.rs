@@ -1,0 +1,193 @@
+//! A whole block that a program printed: the rotation is found in it, and what else stands there is told.
+//!
+//! Any text is taken apart without a grammar (`scan`, `outline`, `group`): runs of numbers and single numbers
+//! by name, each with the names of what holds it. What they are is said by the formats (data, in
+//! `text/formats`) whose marks stand in the text, by the names, and last by the numbers themselves: a matrix
+//! that is orthonormal, four numbers of norm 1.
+
+// What a program prints, as data.
+pub(crate) mod format;
+
+// Quantities to what they are.
+mod find;
+
+// The tree to quantities.
+mod group;
+
+// What names say.
+mod meaning;
+
+// Tokens to a tree.
+mod outline;
+
+// Numbers to a rotation, as parts say.
+mod parts;
+
+// Any text to tokens.
+mod scan;
+
+// Rows under names.
+mod table;
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::order::ComponentOrder;
+use crate::problem::Span;
+use crate::text::description::ParsedRotation;
+use crate::text::record::find::{Context, Found, found};
+use crate::text::record::format::{Field, Format};
+use crate::text::record::group::{Quantities, Value, words_of};
+use crate::text::record::outline::outline;
+use crate::text::record::parts::Made;
+use crate::text::record::scan::scan;
+use crate::text::record::table::Table;
+use crate::text::vocabulary::constructors::order_in_name;
+use std::collections::BTreeSet;
+
+/// A rotation of a record.
+#[derive(Clone, Debug)]
+pub(crate) struct RecordRotation {
+    pub(crate) rotation: ParsedRotation,
+    /// Whether nine numbers stood column by column.
+    pub(crate) by_columns: bool,
+    pub(crate) label: String,
+    pub(crate) span: Span,
+    /// Whether its name says that it was made of a rotation, or a sign that computes stands at it.
+    pub(crate) is_derived: bool,
+}
+
+/// What else stands in a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum What {
+    Position,
+    Scale,
+}
+
+/// A quantity beside the rotation.
+#[derive(Clone, Debug)]
+pub(crate) struct Beside {
+    pub(crate) what: What,
+    pub(crate) label: String,
+    pub(crate) numbers: [f64; 3],
+}
+
+/// What was found in a text.
+#[derive(Debug)]
+pub(crate) struct Record {
+    /// The format whose marks stand in the text.
+    pub(crate) format: Option<&'static Format>,
+    pub(crate) rotations: Vec<RecordRotation>,
+    pub(crate) beside: Vec<Beside>,
+    /// The rows of a file where there are several.
+    pub(crate) rows: Vec<Span>,
+}
+
+/// What is found in a text; `declared` is the order of four numbers where nothing tells it.
+pub(crate) fn record(
+    text: &str,
+    declared: ComponentOrder,
+    formats: &'static [&'static [Format]],
+    plain: &'static [Field],
+) -> Record {
+    let tokens = scan(text);
+    let mut quantities = Quantities::of(&outline(text, &tokens));
+    let mut rows = Vec::new();
+    if let Some(table) = Table::of(text) {
+        let inside = |span: Span| {
+            table.head.start <= span.start
+                && table.rows.last().is_some_and(|last| span.end <= last.end)
+        };
+        quantities.replace(inside, table.groups);
+        rows = table.rows;
+    }
+    let words: BTreeSet<String> = tokens.iter().flat_map(|token| words_of(token.text)).collect();
+    let formats: Vec<&'static Format> = formats
+        .iter()
+        .flat_map(|family| family.iter())
+        .filter(|format| is_marked(format, &words))
+        .collect();
+    let (order, unit, sequence) = settings(&quantities.values);
+    let context = Context {
+        formats,
+        declared,
+        order,
+        unit,
+        sequence,
+    };
+    let all = found(&quantities, &context, plain);
+    let rotations = all.iter().filter_map(rotation).collect();
+    let beside = all.iter().filter_map(beside).collect();
+    Record {
+        format: context.formats.iter().copied().find(|format| !format.marks.is_empty()),
+        rotations,
+        beside,
+        rows,
+    }
+}
+
+/// Whether the words by which a format is known stand in a text.
+fn is_marked(format: &Format, words: &BTreeSet<String>) -> bool {
+    format.marks.iter().all(|mark| {
+        mark.split('|')
+            .any(|name| name.split(' ').all(|word| words.contains(word)))
+    })
+}
+
+fn rotation(found: &Found) -> Option<RecordRotation> {
+    let (rotation, by_columns) = match &found.made {
+        Made::Rotation(rotation) => (rotation, false),
+        Made::Columns(rotation) => (rotation, true),
+        _ => return None,
+    };
+    Some(RecordRotation {
+        rotation: rotation.clone(),
+        by_columns,
+        label: found.label.clone(),
+        span: found.span,
+        is_derived: found.is_derived || found.is_computed,
+    })
+}
+
+fn beside(found: &Found) -> Option<Beside> {
+    let (what, numbers) = match found.made {
+        Made::Position(numbers) => (What::Position, numbers),
+        Made::Scale(numbers) => (What::Scale, numbers),
+        _ => return None,
+    };
+    Some(Beside {
+        what,
+        label: found.label.clone(),
+        numbers,
+    })
+}
+
+/// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
+fn settings(
+    values: &[Value<'_>],
+) -> (
+    Option<ComponentOrder>,
+    Option<AngleUnit>,
+    Option<crate::convention::euler_sequence::EulerSequence>,
+) {
+    let mut order = None;
+    let mut unit = None;
+    let mut sequence = None;
+    for value in values {
+        let key = words_of(value.key);
+        let is = |names: &[&str]| key.last().is_some_and(|last| names.contains(&last.as_str()));
+        if is(&["order", "format", "convention", "layout", "components"]) {
+            order = order.or_else(|| order_in_name(value.text));
+        }
+        if is(&["angle", "unit", "units", "angles", "degrees"]) {
+            let word = value.text.to_ascii_lowercase();
+            unit = unit.or_else(|| match (word.as_str(), is(&["degrees"])) {
+                ("true" | "1", true) => Some(AngleUnit::Degrees),
+                ("false" | "0", true) => Some(AngleUnit::Radians),
+                _ => AngleUnit::named(&word),
+            });
+        }
+        if is(&["order", "sequence", "seq", "eulerseq", "axes"]) {
+            sequence = sequence.or_else(|| value.text.parse().ok());
+        }
+    }
+    (order, unit, sequence)
+}

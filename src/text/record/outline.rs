@@ -1,0 +1,435 @@
+//! Tokens to a tree of what stands inside what: brackets, elements, lines below a heading.
+
+use crate::problem::Span;
+use crate::text::record::scan::{Mark, Token};
+
+/// What a member of an [`Outline`] is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Kind {
+    Number(f64),
+    Word,
+    Scope,
+}
+
+/// A number, a word or what holds such, with what stands before it.
+#[derive(Clone, Debug)]
+pub(crate) struct Member<'t> {
+    pub(crate) kind: Kind,
+    /// The words before it, since the last number, bracket or comma: `Position: X`; may be empty.
+    pub(crate) key: &'t str,
+    pub(crate) text: &'t str,
+    pub(crate) span: Span,
+    /// The number of its row: lines and semicolons divide them.
+    pub(crate) row: u32,
+    pub(crate) members: Vec<Member<'t>>,
+    /// Whether a sign that computes stands beside it.
+    pub(crate) is_computed: bool,
+    /// Whether a bar or a line of dashes stands before it.
+    pub(crate) follows_bar: bool,
+    /// Whether brackets or quotes hold it: its lines are of no meaning then.
+    pub(crate) is_bracketed: bool,
+}
+
+/// What opened a scope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Opened {
+    Text,
+    Bracket,
+    /// The element of this name is still among its attributes, or not.
+    Element,
+    /// A heading that is so far indented; whether lines as far indented are inside.
+    Heading { indent: usize, takes_same: bool },
+}
+
+struct Open<'t> {
+    opened: Opened,
+    member: Member<'t>,
+}
+
+/// The words since the last thing.
+#[derive(Default)]
+struct Pending<'t> {
+    words: Vec<Token<'t>>,
+    /// How many words stand before each label mark.
+    labels: Vec<usize>,
+}
+
+impl<'t> Pending<'t> {
+    fn text(words: &[Token<'t>], whole: &'t str) -> &'t str {
+        match (words.first(), words.last()) {
+            (Some(first), Some(last)) => &whole[first.span.start..last.span.end],
+            _ => "",
+        }
+    }
+
+    fn is_label(&self) -> bool {
+        self.labels.last() == Some(&self.words.len()) && !self.words.is_empty()
+    }
+}
+
+/// The members of a text.
+pub(crate) fn outline<'t>(text: &'t str, tokens: &[Token<'t>]) -> Vec<Member<'t>> {
+    let mut builder = Builder {
+        text,
+        open: vec![Open {
+            opened: Opened::Text,
+            member: scope("", text, Span::from(0..text.len()), 0),
+        }],
+        pending: Pending::default(),
+        row: 0,
+        is_computed: false,
+        follows_bar: false,
+        factor: None,
+    };
+    for (at, token) in tokens.iter().enumerate() {
+        builder.take(token, &tokens[at + 1..]);
+    }
+    builder.flush();
+    while builder.open.len() > 1 {
+        builder.close();
+    }
+    builder.open.swap_remove(0).member.members
+}
+
+fn scope<'t>(key: &'t str, text: &'t str, span: Span, row: u32) -> Member<'t> {
+    Member {
+        kind: Kind::Scope,
+        key,
+        text,
+        span,
+        row,
+        members: Vec::new(),
+        is_computed: false,
+        follows_bar: false,
+        is_bracketed: false,
+    }
+}
+
+struct Builder<'t> {
+    text: &'t str,
+    open: Vec<Open<'t>>,
+    pending: Pending<'t>,
+    row: u32,
+    is_computed: bool,
+    follows_bar: bool,
+    /// A factor of all the numbers that follow: `1.0e+03 *`.
+    factor: Option<f64>,
+}
+
+impl<'t> Builder<'t> {
+    fn take(&mut self, token: &Token<'t>, rest: &[Token<'t>]) {
+        match token.mark {
+            Mark::Number(value) => self.number(token, value),
+            Mark::Word => self.word(token),
+            Mark::Flag => {
+                self.flush();
+                self.pending.words.push(*token);
+                self.pending.labels.push(1);
+            }
+            Mark::Open => self.open(token, Opened::Bracket),
+            Mark::TagOpen => self.open(token, Opened::Element),
+            Mark::Close => self.close_bracket(),
+            Mark::TagClose => self.close_element(),
+            Mark::Comma => self.flush(),
+            Mark::Semicolon => {
+                self.flush();
+                self.row += 1;
+            }
+            Mark::Bar => {
+                self.flush();
+                self.follows_bar = true;
+                self.row += 1;
+            }
+            Mark::Label => {
+                self.label();
+            }
+            Mark::Factor => self.factor(),
+            Mark::Operator => {
+                if let Some(before) = self.inside().members.last_mut() {
+                    before.is_computed = true;
+                }
+                self.is_computed = true;
+            }
+            Mark::Line(indent) => self.line(indent, rest),
+        }
+    }
+
+    fn inside(&mut self) -> &mut Member<'t> {
+        let at = self.open.len() - 1;
+        &mut self.open[at].member
+    }
+
+    fn add(&mut self, mut member: Member<'t>) {
+        member.is_computed = std::mem::take(&mut self.is_computed);
+        member.follows_bar = std::mem::take(&mut self.follows_bar);
+        self.inside().members.push(member);
+    }
+
+    /// The words before a number or a bracket.
+    fn key(&mut self) -> &'t str {
+        let pending = std::mem::take(&mut self.pending);
+        Pending::text(&pending.words, self.text)
+    }
+
+    fn number(&mut self, token: &Token<'t>, value: f64) {
+        let key = self.key();
+        let value = self.factor.map_or(value, |factor| value * factor);
+        let row = self.row;
+        self.add(Member {
+            kind: Kind::Number(value),
+            ..Self::leaf(token, key, row)
+        });
+    }
+
+    fn leaf(token: &Token<'t>, key: &'t str, row: u32) -> Member<'t> {
+        Member {
+            kind: Kind::Word,
+            ..scope(key, token.text, token.span, row)
+        }
+    }
+
+    fn word(&mut self, token: &Token<'t>) {
+        self.pending.words.push(*token);
+    }
+
+    /// A label: what stands before the name that it marks was the value of another one.
+    fn label(&mut self) {
+        let count = self.pending.words.len();
+        if count == 0 {
+            return;
+        }
+        if let Some(&label) = self.pending.labels.last()
+            && count >= label + 2
+        {
+            let last = self.pending.words[count - 1];
+            let value = self.pending.words[label..count - 1].to_vec();
+            let key = self.pending.words[..label].to_vec();
+            self.value(&key, &value);
+            self.pending = Pending {
+                words: vec![last],
+                labels: Vec::new(),
+            };
+        }
+        self.pending.labels.push(self.pending.words.len());
+    }
+
+    /// A word with its name, or words alone.
+    fn value(&mut self, key: &[Token<'t>], value: &[Token<'t>]) {
+        let (Some(first), Some(last)) = (value.first(), value.last()) else {
+            return;
+        };
+        let span = first.span.to(last.span);
+        let row = self.row;
+        let key = Pending::text(key, self.text);
+        let text = Pending::text(value, self.text);
+        self.add(Member {
+            kind: Kind::Word,
+            ..scope(key, text, span, row)
+        });
+    }
+
+    fn flush(&mut self) {
+        let pending = std::mem::take(&mut self.pending);
+        let label = pending.labels.last().copied().unwrap_or(0);
+        let (key, value) = pending.words.split_at(label.min(pending.words.len()));
+        self.value(key, value);
+    }
+
+    fn open(&mut self, token: &Token<'t>, opened: Opened) {
+        let key = if opened == Opened::Element {
+            self.flush();
+            token.text.trim_start_matches('<')
+        } else {
+            self.key()
+        };
+        let mut member = scope(key, "", token.span, self.row);
+        member.is_bracketed = opened == Opened::Bracket;
+        member.is_computed = std::mem::take(&mut self.is_computed);
+        member.follows_bar = std::mem::take(&mut self.follows_bar);
+        self.open.push(Open { opened, member });
+    }
+
+    fn close(&mut self) {
+        self.flush();
+        if self.open.len() > 1
+            && let Some(Open { mut member, .. }) = self.open.pop()
+        {
+            let last = member.members.last().map_or(member.span, |last| last.span);
+            member.span = member.span.to(last);
+            // Its own row: what follows in this line is beside it.
+            self.inside().members.push(member);
+        }
+    }
+
+    fn close_bracket(&mut self) {
+        let Some(at) = self.open.iter().rposition(|open| open.opened == Opened::Bracket) else {
+            self.flush();
+            return;
+        };
+        while self.open.len() > at + 1 {
+            self.close();
+        }
+        // A word in brackets, `(xyzw)`, `[deg]`, belongs to the name before it.
+        if let Some(name) = self.remark() {
+            self.open.pop();
+            self.pending = name;
+            return;
+        }
+        let key_is_done = self.is_computed;
+        self.close();
+        self.is_computed = key_is_done;
+    }
+
+    /// The words of a bracket that holds nothing else, with those before it.
+    fn remark(&mut self) -> Option<Pending<'t>> {
+        let open = self.open.last()?;
+        if !open.member.members.is_empty() || open.opened != Opened::Bracket {
+            return None;
+        }
+        let words = std::mem::take(&mut self.pending).words;
+        let key = open.member.key;
+        let start = key.as_ptr() as usize - self.text.as_ptr() as usize;
+        let span = Span::from(start..start + key.len());
+        let before = Token {
+            mark: Mark::Word,
+            text: key,
+            span,
+        };
+        Some(Pending {
+            words: (!key.is_empty()).then_some(before).into_iter().chain(words).collect(),
+            labels: Vec::new(),
+        })
+    }
+
+    fn close_element(&mut self) {
+        let Some(at) = self.open.iter().rposition(|open| open.opened == Opened::Element) else {
+            self.flush();
+            return;
+        };
+        while self.open.len() > at {
+            self.close();
+        }
+    }
+
+    fn factor(&mut self) {
+        let members = &mut self.inside().members;
+        if let Some(Member {
+            kind: Kind::Number(value),
+            ..
+        }) = members.last()
+        {
+            let value = *value;
+            if let Some(factor) = members.pop() {
+                // What stands before the factor names the numbers.
+                self.factor = Some(value);
+                if !factor.key.is_empty() {
+                    let start = factor.key.as_ptr() as usize - self.text.as_ptr() as usize;
+                    self.pending = Pending {
+                        words: vec![Token {
+                            mark: Mark::Word,
+                            text: factor.key,
+                            span: Span::from(start..start + factor.key.len()),
+                        }],
+                        labels: vec![1],
+                    };
+                }
+            }
+        }
+    }
+
+    /// A new line: a heading before it holds the lines that are inside, others end.
+    fn line(&mut self, indent: usize, rest: &[Token<'t>]) {
+        self.row += 1;
+        let first = rest.first().map(|token| token.mark);
+        let is_empty = matches!(first, None | Some(Mark::Line(_)));
+        let in_bracket = matches!(
+            self.open.last().map(|open| open.opened),
+            Some(Opened::Bracket)
+        );
+        if is_empty {
+            return;
+        }
+        if in_bracket {
+            if !self.pending.is_label() {
+                self.flush();
+            }
+            return;
+        }
+        let starts_numbers = matches!(first, Some(Mark::Number(_) | Mark::Open));
+        let is_heading = is_heading(rest);
+        let announces = !self.pending.words.is_empty();
+        if announces && (self.pending.is_label() || starts_numbers || self.is_typed()) {
+            let key = self.key();
+            let own = self.indent_of(key);
+            let takes_same = indent <= own;
+            self.leave(own, true);
+            let member = scope(key, "", self.span_of(key), self.row);
+            self.open.push(Open {
+                opened: Opened::Heading {
+                    indent: own,
+                    takes_same,
+                },
+                member,
+            });
+            if takes_same && is_heading && indent <= own {
+                self.close();
+            }
+        } else {
+            self.flush();
+        }
+        if !starts_numbers {
+            self.leave(indent, is_heading);
+        }
+    }
+
+    /// Whether a heading ends in a type: `body_T_cam: !!opencv-matrix`.
+    fn is_typed(&self) -> bool {
+        self.pending
+            .words
+            .last()
+            .is_some_and(|word| word.text.contains("opencv"))
+    }
+
+    fn span_of(&self, key: &str) -> Span {
+        let start = key.as_ptr() as usize - self.text.as_ptr() as usize;
+        Span::from(start..start + key.len())
+    }
+
+    /// How far the line of a key is indented.
+    fn indent_of(&self, key: &str) -> usize {
+        let start = self.span_of(key).start;
+        let line = self.text[..start].rfind('\n').map_or(0, |at| at + 1);
+        let before = &self.text[line..start];
+        before.len() - before.trim_start_matches([' ', '\t', '-']).len()
+    }
+
+    /// Closes the headings that do not hold a line so far indented.
+    fn leave(&mut self, line: usize, is_heading: bool) {
+        while let Some(Open {
+            opened: Opened::Heading { indent, takes_same },
+            ..
+        }) = self.open.last()
+        {
+            let holds = line > *indent || (line == *indent && *takes_same && !is_heading);
+            if holds {
+                break;
+            }
+            self.close();
+        }
+    }
+}
+
+/// Whether a line is a name and a label and no more.
+fn is_heading(tokens: &[Token<'_>]) -> bool {
+    let line: Vec<Mark> = tokens
+        .iter()
+        .map(|token| token.mark)
+        .take_while(|mark| !matches!(mark, Mark::Line(_)))
+        .collect();
+    let words = line.iter().all(|mark| matches!(mark, Mark::Word | Mark::Label));
+    let typed = tokens
+        .iter()
+        .take(line.len())
+        .any(|token| token.text.contains("opencv"));
+    words && (line.last() == Some(&Mark::Label) || typed)
+}

@@ -1,0 +1,207 @@
+//! Numbers to a rotation and what stands beside it, as a list of parts says.
+
+use crate::convention::angle::{AngleUnit, UnitSource, degrees_in_radians, turn_in_radians};
+use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::order::{ComponentOrder, OrderSource};
+use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::description::{
+    ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
+};
+use crate::text::record::format::{Angles, Part, Unit};
+use nalgebra::{Matrix3, Quaternion, Vector3};
+
+/// Entries of two decimals are off by less.
+const NEARLY_ORTHONORMAL: f64 = 0.05;
+
+/// A norm this far from 1 is that of four numbers which are no rounded quaternion.
+const NEARLY_UNIT: f64 = 0.05;
+
+/// A full turn in radians as people round it.
+const FULL_TURN_RAD: f64 = 6.29;
+
+/// What the words of a text say of the numbers of a part.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Said {
+    /// The order of four numbers, and how it was told.
+    pub(crate) order: (ComponentOrder, OrderSource),
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) sequence: Option<EulerSequence>,
+}
+
+/// What a part is.
+#[derive(Clone, Debug)]
+pub(crate) enum Made {
+    Rotation(ParsedRotation),
+    /// A rotation of nine numbers that stood column by column.
+    Columns(ParsedRotation),
+    Position([f64; 3]),
+    Scale([f64; 3]),
+    Nothing,
+}
+
+/// What numbers are of which these are the parts; `None` where they are not: a quaternion that is not of
+/// norm 1, a matrix that is no rotation.
+pub(crate) fn made(parts: &[Part], numbers: &[f64], said: Said) -> Option<Vec<Made>> {
+    let mut rest = numbers;
+    let mut found = Vec::new();
+    for part in parts {
+        let (own, after) = rest.split_at_checked(part.count())?;
+        rest = after;
+        match part {
+            Part::HomogeneousRows(_) | Part::HomogeneousColumns(_) => {
+                found.extend(homogeneous(*part, own)?);
+            }
+            _ => found.push(one(*part, own, said)?),
+        }
+    }
+    rest.is_empty().then_some(found)
+}
+
+fn one(part: Part, numbers: &[f64], said: Said) -> Option<Made> {
+    let three = || <[f64; 3]>::try_from(numbers).ok();
+    Some(match part {
+        Part::Skip(_) => Made::Nothing,
+        Part::Time if numbers[0].abs() < LEAST_NANOSECONDS => Made::Nothing,
+        Part::Nanoseconds if numbers[0] >= LEAST_NANOSECONDS => Made::Nothing,
+        Part::Time | Part::Nanoseconds => return None,
+        Part::Position => Made::Position(three()?),
+        Part::Scale => Made::Scale(three()?),
+        Part::Quaternion(order) => {
+            let order = order.map_or(said.order, |order| (order, OrderSource::Format));
+            Made::Rotation(quaternion(numbers, order)?)
+        }
+        Part::Euler(angles) => Made::Rotation(euler(three()?, angles, said)?),
+        Part::RotationVector(unit) => {
+            let unit = said.unit.unwrap_or(unit);
+            Made::Rotation(rotation_vector(three()?, UnitSource::Written(unit)))
+        }
+        Part::AxisAngle(unit) => axis_angle(&numbers[..3], numbers[3], unit, said)?,
+        Part::AngleAxis(unit) => axis_angle(&numbers[1..], numbers[0], unit, said)?,
+        Part::Rows => Made::Rotation(ParsedRotation::Matrix(orthonormal(Matrix3::from_row_slice(
+            numbers,
+        ))?)),
+        Part::Columns => Made::Columns(ParsedRotation::Matrix(orthonormal(
+            Matrix3::from_column_slice(numbers),
+        )?)),
+        Part::HomogeneousRows(_) | Part::HomogeneousColumns(_) => return None,
+    })
+}
+
+pub(crate) fn quaternion(
+    numbers: &[f64],
+    (order, order_source): (ComponentOrder, OrderSource),
+) -> Option<ParsedRotation> {
+    let array = <[f64; 4]>::try_from(numbers).ok()?;
+    let [w, x, y, z] = order.components(array);
+    let quaternion = Quaternion::new(w, x, y, z);
+    let is_unit = (quaternion.norm() - 1.0).abs() <= NEARLY_UNIT;
+    is_unit.then_some(ParsedRotation::Quaternion(ParsedQuaternion {
+        quaternion,
+        order,
+        order_source,
+        unknown_constructor: None,
+    }))
+}
+
+fn euler(numbers: [f64; 3], angles: Angles, said: Said) -> Option<ParsedRotation> {
+    let sequence: EulerSequence = match said.sequence {
+        Some(sequence) => sequence,
+        None => angles.sequence.parse().ok()?,
+    };
+    let in_order = angles.places.map(|place| numbers[place]);
+    let unit = unit(angles.unit, &in_order, said);
+    let mut angles_rad = in_order.map(|angle| turn(angle, unit.unit()));
+    for (angle, sign) in angles_rad.iter_mut().zip(angles.signs) {
+        *angle *= sign;
+    }
+    Some(ParsedRotation::EulerAngles(ParsedEulerAngles {
+        sequence,
+        angles_rad,
+        unit,
+    }))
+}
+
+/// The unit of angles: a word in the text, then the format's, then their size.
+fn unit(unit: Unit, angles: &[f64], said: Said) -> UnitSource {
+    let is_small = angles.iter().all(|angle| angle.abs() <= FULL_TURN_RAD);
+    match (unit, said.unit) {
+        (Unit::Always(unit), _) | (_, Some(unit)) | (Unit::Usually(unit), None) => {
+            UnitSource::Written(unit)
+        }
+        (Unit::BySize, None) if is_small => UnitSource::Assumed(AngleUnit::Radians),
+        (Unit::BySize, None) => UnitSource::Assumed(AngleUnit::Degrees),
+    }
+}
+
+fn turn(angle: f64, unit: AngleUnit) -> f64 {
+    match unit {
+        AngleUnit::Degrees => turn_in_radians(angle),
+        AngleUnit::Radians => angle,
+    }
+}
+
+pub(crate) fn rotation_vector(numbers: [f64; 3], unit: UnitSource) -> ParsedRotation {
+    let in_radians = |angle| match unit.unit() {
+        AngleUnit::Degrees => degrees_in_radians(angle),
+        AngleUnit::Radians => angle,
+    };
+    ParsedRotation::RotationVector(ParsedRotationVector {
+        vector_rad: Vector3::from(numbers.map(in_radians)),
+        unit,
+    })
+}
+
+fn axis_angle(axis: &[f64], angle: f64, unit_of_format: Unit, said: Said) -> Option<Made> {
+    let axis = Vector3::from_column_slice(axis);
+    let unit = unit(unit_of_format, &[angle], said);
+    (axis.amax() > 0.0).then(|| {
+        Made::Rotation(ParsedRotation::AxisAngle(ParsedAxisAngle {
+            axis,
+            angle_rad: turn(angle, unit.unit()),
+            unit,
+        }))
+    })
+}
+
+/// The matrix, where it is nearly a rotation or a reflection: one that is refused with its reason.
+pub(crate) fn orthonormal(matrix: Matrix3<f64>) -> Option<Matrix3<f64>> {
+    let error = (matrix.transpose() * matrix - Matrix3::identity()).amax();
+    (error <= NEARLY_ORTHONORMAL).then_some(matrix)
+}
+
+/// Twelve or sixteen numbers: the rotation, and the translation where there is one.
+fn homogeneous(part: Part, numbers: &[f64]) -> Option<Vec<Made>> {
+    let is_columns = matches!(part, Part::HomogeneousColumns(_));
+    // Column by column twelve numbers are four columns of three, sixteen four of four.
+    let entry = |row: usize, column: usize| {
+        let at = match (is_columns, numbers.len()) {
+            (false, _) => 4 * row + column,
+            (true, 12) => 3 * column + row,
+            (true, _) => 4 * column + row,
+        };
+        numbers[at]
+    };
+    if numbers.len() == 16 {
+        let last = [0, 1, 2, 3].map(|column| entry(3, column));
+        if last[..3].iter().any(|entry| entry.abs() > ROUNDED_ZERO) || (last[3] - 1.0).abs() > ROUNDED_ZERO {
+            return None;
+        }
+    }
+    let matrix = orthonormal(Matrix3::from_fn(entry))?;
+    let translation = [0, 1, 2].map(|row| entry(row, 3));
+    let rotation = ParsedRotation::Matrix(matrix);
+    Some(vec![
+        if is_columns {
+            Made::Columns(rotation)
+        } else {
+            Made::Rotation(rotation)
+        },
+        Made::Position(translation),
+    ])
+}
+
+/// What programs write for a zero that was computed.
+const ROUNDED_ZERO: f64 = 1e-6;
+
+/// Times of this size are in nanoseconds since 1970, not in seconds.
+const LEAST_NANOSECONDS: f64 = 1e16;

@@ -3,8 +3,10 @@
 use crate::analyze::describe::rules;
 use crate::analyze::matrix::of_matrix;
 use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
+#[cfg(feature = "whole")]
+use crate::analyze::record::of_record;
 use crate::contract::{
-    AngleUnitAssumed, Column, Components, Form, PairedMatrix, ReadAxisAngle, ReadEulerAngles,
+    AngleUnitAssumed, Column, Components, Fact, Form, PairedMatrix, ReadAxisAngle, ReadEulerAngles,
     ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
     ReadRotationVector,
 };
@@ -14,11 +16,15 @@ use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem, Span, Wanted};
+#[cfg(feature = "whole")]
+use crate::problem::{ProblemCode, is_too_long};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::text::mend::unit::{self, UnitTexts};
 use crate::text::mend::with_suggestion;
+#[cfg(feature = "whole")]
+use crate::text::names_more;
 use crate::text::{
     ParsedQuaternion, ParsedRotation, RotationText, RowMarks, parse_rotation, read_rotation,
 };
@@ -33,6 +39,7 @@ pub(crate) struct Declared {
 }
 
 /// An attitude that was read from text.
+#[derive(Clone)]
 pub(crate) struct Attitude {
     pub(crate) form: Form,
     /// How the text of a quaternion told its order.
@@ -45,6 +52,8 @@ pub(crate) struct Attitude {
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
     pub(crate) rotation: Rotation,
+    /// What else the text holds.
+    pub(crate) told: Vec<Fact>,
 }
 
 impl Attitude {
@@ -66,13 +75,35 @@ impl Attitude {
         })
     }
 
+    /// The attitude of a text that is a rotation by itself, or that holds one.
     fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
-        let Declared { convention, matrix } = declared;
-        let span = Span::of_trimmed(text);
-        let RotationText {
+        let plain = Self::plain(text, declared);
+        #[cfg(feature = "whole")]
+        if is_record(text, &plain)
+            && let Some(found) = of_record(text, declared, plain.as_ref().ok())
+        {
+            return found;
+        }
+        plain
+    }
+
+    /// The attitude of a text that is a rotation and nothing else.
+    fn plain(text: &str, declared: Declared) -> Result<Self, Fault> {
+        let parsed = read_rotation(text, declared.convention.order)?;
+        Self::of_parsed(parsed, text, declared)
+    }
+
+    /// The attitude of a rotation that was found in a text.
+    pub(crate) fn of_parsed(
+        RotationText {
             rotation: parsed,
             row_marks,
-        } = read_rotation(text, convention.order)?;
+        }: RotationText,
+        text: &str,
+        declared: Declared,
+    ) -> Result<Self, Fault> {
+        let Declared { convention, matrix } = declared;
+        let span = Span::of_trimmed(text);
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
                 return Self::of_quaternion(parsed, convention, span);
@@ -151,6 +182,7 @@ impl Attitude {
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
+            told: Vec::new(),
         })
     }
 
@@ -175,6 +207,7 @@ impl Attitude {
             declared,
             tagged,
             rotation,
+            told: Vec::new(),
         })
     }
 
@@ -237,6 +270,15 @@ impl Attitude {
             rows: rows3(&self.rotation.to_tagged_matrix(convention).entries),
             form: self.declared.cosine_matrix(convention),
         }
+    }
+}
+
+/// Whether a text may hold more than the rotation that it is read as, or one that it is not read as.
+#[cfg(feature = "whole")]
+fn is_record(text: &str, plain: &Result<Attitude, Fault>) -> bool {
+    match plain {
+        Ok(_) => names_more(text),
+        Err(fault) => !is_too_long(text) && fault.code != ProblemCode::EmptyText,
     }
 }
 

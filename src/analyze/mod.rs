@@ -31,6 +31,10 @@ mod plain_numbers;
 // What one attitude means.
 pub(crate) mod read;
 
+// The attitude in a whole block of text.
+#[cfg(feature = "whole")]
+mod record;
+
 /// From one end of a translation to the other.
 pub mod translate;
 

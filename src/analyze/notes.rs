@@ -54,6 +54,7 @@ impl Attitude {
             facts.push(Fact::NegativeScalar);
         }
         facts.extend(self.extreme_fact());
+        facts.extend(self.told.iter().cloned());
         let notes = facts.into_iter().map(|fact| Note::new(field, fact));
         notes.collect()
     }

@@ -7,6 +7,9 @@
 // One attitude in the report.
 mod attitude;
 
+// What stands around a rotation in a text.
+mod found;
+
 // What an identification answers.
 pub(crate) mod identification;
 
@@ -23,6 +26,7 @@ pub mod request;
 mod translation;
 
 pub use crate::contract::attitude::*;
+pub use crate::contract::found::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::note::*;
 pub use crate::contract::translation::*;

@@ -1,5 +1,6 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
+use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription};
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
@@ -84,6 +85,16 @@ pub enum Fact {
     NearlyHalfTurn(NearlyHalfTurn),
     /// Some number is beyond what a double can hold and is left out.
     OutOfRange(OutOfRange),
+    /// The rotation was found in a text that holds more.
+    FoundInText(FoundInText),
+    /// The text holds the rotation a second time, in another description.
+    SecondDescription(OtherDescription),
+    /// The text holds another rotation beside it, where it should be the same one.
+    DescriptionsDisagree(OtherDescription),
+    /// Nothing names the numbers: they were read as a row of this format, as which they pass.
+    FormatAssumed(FormatAssumed),
+    /// The matrix was written column by column, as the text or its format says.
+    ColumnsFromText,
 }
 
 impl Fact {
@@ -123,7 +134,9 @@ impl Fact {
             Self::UnknownConstructor(_)
             | Self::AngleUnitAssumed(_)
             | Self::RowsAssumed(_)
-            | Self::AxesAsColumns(_) => true,
+            | Self::AxesAsColumns(_)
+            | Self::DescriptionsDisagree(_)
+            | Self::FormatAssumed(_) => true,
             Self::Normalised(_)
             | Self::NearestRotation(_)
             | Self::OrderFromText(_)
@@ -134,7 +147,10 @@ impl Fact {
             | Self::NearlyNoTurn(_)
             | Self::HalfTurn
             | Self::NearlyHalfTurn(_)
-            | Self::OutOfRange(_) => false,
+            | Self::OutOfRange(_)
+            | Self::FoundInText(_)
+            | Self::SecondDescription(_)
+            | Self::ColumnsFromText => false,
         }
     }
 }

@@ -84,4 +84,8 @@ pub enum OrderSource {
     Grouped,
     /// By a constructor whose order is known, such as `Eigen::Quaterniond`.
     Constructor,
+    /// By a word beside the numbers: `rotation_xyzw=`, `order: wxyz`.
+    Label,
+    /// By the format of the text, such as that of a trajectory.
+    Format,
 }

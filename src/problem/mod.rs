@@ -187,6 +187,8 @@ pub enum ProblemCode {
     UnknownSequence,
     /// Degrees and radians in one rotation, or a unit at some of its angles only.
     MixedUnits,
+    /// Several rotations, of which one has to be chosen.
+    SeveralRotations,
     /// Another description of a rotation where only a quaternion is read.
     NotAQuaternion,
     /// Another description of a rotation where only a matrix is read.

@@ -108,12 +108,14 @@ pub(crate) mod grammar;
 pub(crate) mod mend;
 
 // What programs print, as data.
+#[cfg(feature = "whole")]
 pub(crate) mod formats;
 
 // Tokens to a rotation: which description they are.
 mod readers;
 
 // Whole blocks that programs print.
+#[cfg(feature = "whole")]
 pub(crate) mod record;
 
 // Words and names that are known.
@@ -253,6 +255,26 @@ pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
 pub fn parse_number(text: &str) -> Result<f64, Fault> {
     let (telling, span) = telling(text)?;
     list::number(&grammar::entries(&telling.tokens)?, span)
+}
+
+/// Whether a text names something beside a rotation: a position, a scale, a velocity.
+#[cfg(feature = "whole")]
+pub(crate) fn names_more(text: &str) -> bool {
+    const NAMES: [&str; 11] = [
+        "position",
+        "translation",
+        "location",
+        "scale",
+        "linear",
+        "angular",
+        "origin",
+        "pos",
+        "tvec",
+        "euler",
+        "matrix",
+    ];
+    let lower = text.to_ascii_lowercase();
+    NAMES.iter().any(|name| lower.contains(name))
 }
 
 /// The tokens of a text that is not empty, and its place without the space around it.

@@ -71,6 +71,28 @@ impl Fault {
         )
     }
 
+    #[cfg(feature = "whole")]
+    pub(crate) fn several_rotations(span: Span, count: usize) -> Self {
+        Self::told(ProblemCode::SeveralRotations, span, || {
+            Words::new(
+                format!("{count} rotations stand here, and they are not the same one"),
+                "a text with one rotation",
+                "choose which one is meant, or keep only its lines",
+            )
+        })
+    }
+
+    #[cfg(feature = "whole")]
+    pub(crate) fn several_rows(span: Span, count: usize) -> Self {
+        Self::told(ProblemCode::SeveralRotations, span, || {
+            Words::new(
+                format!("{count} rows of a file: a trajectory, not one rotation"),
+                "one row",
+                "choose a row, or keep only the first row of the file",
+            )
+        })
+    }
+
     pub(crate) fn unexpected(span: Span, found: &str) -> Self {
         Self::told(ProblemCode::Unexpected, span, || {
             // `0..38`, or two numbers that touch.

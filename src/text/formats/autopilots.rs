@@ -10,7 +10,10 @@ pub(crate) const AUTOPILOTS: &[Format] = &[
         name: "MAVLink",
         marks: &["attitude quaternion|attitude target|mavlink|time boot ms"],
         order: Some(ScalarFirst),
-        fields: &[Field::Named("q1 q2 q3 q4", &[Part::Quaternion(Some(ScalarFirst))])],
+        fields: &[Field::Named(
+            "q1 q2 q3 q4",
+            &[Part::Quaternion(Some(ScalarFirst))],
+        )],
     },
     // `q: [w, x, y, z]` (PX4, VehicleAttitude).
     Format {

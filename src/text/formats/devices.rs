@@ -11,10 +11,19 @@ pub(crate) const DEVICES: &[Format] = &[
         marks: &["vnqmr|vnqtn|vnqtm|vnqta|vnqar|vnqma"],
         order: Some(ScalarLast),
         fields: &[
-            Field::Under("VNQMR", &[Part::Quaternion(Some(ScalarLast)), Part::Skip(9)]),
+            Field::Under(
+                "VNQMR",
+                &[Part::Quaternion(Some(ScalarLast)), Part::Skip(9)],
+            ),
             Field::Under("VNQTN", &[Part::Quaternion(Some(ScalarLast))]),
-            Field::Under("VNQTM|VNQTA", &[Part::Quaternion(Some(ScalarLast)), Part::Skip(3)]),
-            Field::Under("VNQMA|VNQAR", &[Part::Quaternion(Some(ScalarLast)), Part::Skip(6)]),
+            Field::Under(
+                "VNQTM|VNQTA",
+                &[Part::Quaternion(Some(ScalarLast)), Part::Skip(3)],
+            ),
+            Field::Under(
+                "VNQMA|VNQAR",
+                &[Part::Quaternion(Some(ScalarLast)), Part::Skip(6)],
+            ),
         ],
     },
     Format {

@@ -57,7 +57,10 @@ pub(crate) const ENGINES: &[Format] = &[
         order: Some(ScalarFirst),
         fields: &[
             Field::Under("matrix4d|transform", &[Part::HomogeneousColumns(16)]),
-            Field::Under("rotateXYZ", &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))]),
+            Field::Under(
+                "rotateXYZ",
+                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
+            ),
         ],
     },
     // Position first, then nine numbers row by row (Roblox, CFrame.new).
@@ -72,7 +75,10 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "x3d-sfrotation",
         name: "X3D",
-        marks: &["rotation", "transform|def|translation|shape|solid|children|robot|vrml|rotation"],
+        marks: &[
+            "rotation",
+            "transform|def|translation|shape|solid|children|robot|vrml|rotation",
+        ],
         order: None,
         fields: &[],
     },

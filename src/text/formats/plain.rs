@@ -13,7 +13,10 @@ pub(crate) const PLAIN: &[Field] = &[
         "x y z w p r",
         &[
             Part::Position,
-            Part::Euler(Angles::new("xyz", Unit::Usually(crate::convention::angle::AngleUnit::Degrees))),
+            Part::Euler(Angles::new(
+                "xyz",
+                Unit::Usually(crate::convention::angle::AngleUnit::Degrees),
+            )),
         ],
     ),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
@@ -25,8 +28,14 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("qr qi qj qk", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("real i j k", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("r i j k", &[Part::Quaternion(Some(ScalarFirst))]),
-    Field::Named("quatw quati quatj quatk", &[Part::Quaternion(Some(ScalarFirst))]),
-    Field::Named("quatw quatx quaty quatz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named(
+        "quatw quati quatj quatk",
+        &[Part::Quaternion(Some(ScalarFirst))],
+    ),
+    Field::Named(
+        "quatw quatx quaty quatz",
+        &[Part::Quaternion(Some(ScalarFirst))],
+    ),
     Field::Named("rw rx ry rz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q1 q2 q3 q4", &[Part::Quaternion(None)]),
     Field::Named("roll pitch yaw", &[ROLL_PITCH_YAW]),

@@ -56,7 +56,10 @@ pub(crate) const ROBOTS: &[Format] = &[
         name: "ABB RAPID",
         marks: &["robtarget|wobjdata|tooldata|rapid|orient"],
         order: Some(ScalarFirst),
-        fields: &[Field::Named("q1 q2 q3 q4", &[Part::Quaternion(Some(ScalarFirst))])],
+        fields: &[Field::Named(
+            "q1 q2 q3 q4",
+            &[Part::Quaternion(Some(ScalarFirst))],
+        )],
     },
     // `O A T` about moving z, y, z, degrees (Kawasaki).
     Format {
@@ -99,7 +102,13 @@ pub(crate) const ROBOTS: &[Format] = &[
         name: "UFACTORY xArm",
         marks: &["xarm|lite6|get position|set position"],
         order: None,
-        fields: &[Field::Under("position", &[Part::Position, Part::Euler(Angles::new("xyz", Unit::BySize))])],
+        fields: &[Field::Under(
+            "position",
+            &[
+                Part::Position,
+                Part::Euler(Angles::new("xyz", Unit::BySize)),
+            ],
+        )],
     },
     // Sixteen numbers column by column (libfranka, robot_state.h).
     Format {

@@ -46,7 +46,10 @@ pub(crate) const ROS: &[Format] = &[
         order: None,
         fields: &[
             Field::Under("pose", &[Part::Position, ROLL_PITCH_YAW]),
-            Field::Under("pose", &[Part::Position, Part::Quaternion(Some(ScalarLast))]),
+            Field::Under(
+                "pose",
+                &[Part::Position, Part::Quaternion(Some(ScalarLast))],
+            ),
         ],
     },
     // `VERTEX_SE3:QUAT id x y z qx qy qz qw`, and an edge with its information matrix (g2o).
@@ -58,7 +61,11 @@ pub(crate) const ROS: &[Format] = &[
         fields: &[
             Field::Under(
                 "quat",
-                &[Part::Skip(1), Part::Position, Part::Quaternion(Some(ScalarLast))],
+                &[
+                    Part::Skip(1),
+                    Part::Position,
+                    Part::Quaternion(Some(ScalarLast)),
+                ],
             ),
             Field::Under(
                 "quat",
@@ -76,12 +83,26 @@ pub(crate) const ROS: &[Format] = &[
     Format {
         id: "mujoco-mjcf",
         name: "MuJoCo",
-        marks: &["body|geom|site|camera|frame|inertial|compiler|joint", "quat|euler|axisangle|xyaxes|zaxis"],
+        marks: &[
+            "body|geom|site|camera|frame|inertial|compiler|joint",
+            "quat|euler|axisangle|xyaxes|zaxis",
+        ],
         order: Some(ScalarFirst),
         fields: &[
             Field::Under("quat", &[Part::Quaternion(Some(ScalarFirst))]),
-            Field::Under("euler", &[Part::Euler(Angles::new("XYZ", Unit::Usually(crate::convention::angle::AngleUnit::Degrees)))]),
-            Field::Under("axisangle", &[Part::AxisAngle(Unit::Usually(crate::convention::angle::AngleUnit::Degrees))]),
+            Field::Under(
+                "euler",
+                &[Part::Euler(Angles::new(
+                    "XYZ",
+                    Unit::Usually(crate::convention::angle::AngleUnit::Degrees),
+                ))],
+            ),
+            Field::Under(
+                "axisangle",
+                &[Part::AxisAngle(Unit::Usually(
+                    crate::convention::angle::AngleUnit::Degrees,
+                ))],
+            ),
         ],
     },
 ];

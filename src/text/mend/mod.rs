@@ -13,6 +13,10 @@ pub(crate) mod typed_numbers;
 // The texts that say a unit.
 pub(crate) mod unit;
 
+// A rotation as a text.
+#[cfg(feature = "whole")]
+pub(crate) mod written;
+
 use crate::decimal::shortest;
 use crate::problem::Wanted;
 use crate::problem::fault::Fault;

@@ -23,6 +23,8 @@ pub(crate) struct Found {
     pub(crate) is_derived: bool,
     /// Whether a sign that computes stands at it.
     pub(crate) is_computed: bool,
+    /// The format that no word marks, as which the numbers alone pass.
+    pub(crate) assumed_format: Option<&'static str>,
 }
 
 /// What a text says for all its quantities.
@@ -55,14 +57,25 @@ impl Context<'_> {
     }
 }
 
+/// A field, and the format of which it is where no word marks that.
+type Asked<'f> = (&'f Field, Option<&'static str>);
+
 /// All that is understood of the quantities of a text.
-pub(crate) fn found(quantities: &Quantities<'_>, context: &Context<'_>, plain: &[Field]) -> Vec<Found> {
+pub(crate) fn found(
+    quantities: &Quantities<'_>,
+    context: &Context<'_>,
+    plain: &[Field],
+) -> Vec<Found> {
     let mut all = Vec::new();
-    let fields: Vec<&Field> = context
+    let unmarked = |format: &&Format| format.marks.is_empty();
+    let fields: Vec<Asked<'_>> = context
         .formats
         .iter()
-        .flat_map(|format| format.fields)
-        .chain(plain)
+        .flat_map(|format| {
+            let assumed = unmarked(format).then_some(format.name);
+            format.fields.iter().map(move |field| (field, assumed))
+        })
+        .chain(plain.iter().map(|field| (field, None)))
         .collect();
     for group in &quantities.groups {
         all.extend(of_group(group, context, &fields));
@@ -84,18 +97,20 @@ fn label_of(path: &[&str]) -> String {
         .to_owned()
 }
 
-fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<Found> {
+fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> Vec<Found> {
     let meaning = Meaning::of(&group.path);
     let said = context.said(&meaning);
-    let of_fields = fields.iter().find_map(|field| {
+    let of_fields = fields.iter().find_map(|(field, assumed)| {
         let (is_it, parts) = match field {
             Field::Under(names, parts) => (stands_under(&group.path, names), parts),
             Field::Row(parts) => (group.path.iter().all(|key| key.is_empty()), parts),
             Field::Named(..) => return None,
         };
-        is_it.then(|| made(parts, &group.numbers, said)).flatten()
+        let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
+        Some((made, *assumed))
     });
-    let made = of_fields.unwrap_or_else(|| by_name(group, &meaning, said));
+    let (made, assumed_format) =
+        of_fields.unwrap_or_else(|| (by_name(group, &meaning, said), None));
     made.into_iter()
         .map(|made| Found {
             made,
@@ -104,6 +119,7 @@ fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<
             numbers: group.numbers.clone(),
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: group.is_computed,
+            assumed_format,
         })
         .collect()
 }
@@ -137,11 +153,12 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said) -> Vec<Made> {
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
         (3, Some(Role::RotationVector | Role::AxisAngle)) => {
-            let unit = said.unit.map_or(
-                UnitSource::Assumed(AngleUnit::Radians),
-                UnitSource::Written,
-            );
-            three.map_or(none, |numbers| vec![Made::Rotation(rotation_vector(numbers, unit))])
+            let unit = said
+                .unit
+                .map_or(UnitSource::Assumed(AngleUnit::Radians), UnitSource::Written);
+            three.map_or(none, |numbers| {
+                vec![Made::Rotation(rotation_vector(numbers, unit))]
+            })
         }
         (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
         (4, None | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived)) => {
@@ -174,13 +191,13 @@ fn only<const COUNT: usize>(readings: [Option<Vec<Made>>; COUNT]) -> Option<Vec<
     found.next().is_none().then_some(first)
 }
 
-fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<Found> {
+fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> Vec<Found> {
     let mut path = named.path.clone();
     path.push(&named.stem);
     let meaning = Meaning::of(&path);
     let mut left: Vec<&_> = named.members.iter().collect();
     let mut all = Vec::new();
-    for field in fields {
+    for (field, _) in fields {
         let Field::Named(names, parts) = field else {
             continue;
         };
@@ -224,6 +241,7 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<
             numbers: numbers.clone(),
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: members.iter().any(|member| member.is_computed),
+            assumed_format: None,
         }));
     }
     all
@@ -233,25 +251,41 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[&Field]) -> Vec<
 fn is_of_vector(meaning: &Meaning) -> bool {
     !matches!(
         meaning.role,
-        Some(Role::Other | Role::Euler | Role::Rotation | Role::RotationVector | Role::Axis | Role::Quaternion | Role::Scale | Role::Vector)
+        Some(
+            Role::Other
+                | Role::Euler
+                | Role::Rotation
+                | Role::RotationVector
+                | Role::Axis
+                | Role::Quaternion
+                | Role::Scale
+                | Role::Vector
+        )
     )
 }
 
 /// A scalar and a vector, each under its name: `real: 0.8, imag: (…)`.
 fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Option<Found> {
-    let vector = quantities
-        .groups
-        .iter()
-        .find(|group| group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector))?;
+    let vector = quantities.groups.iter().find(|group| {
+        group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector)
+    })?;
     let scalar = quantities
         .named
         .iter()
         .filter(|named| named.scope == vector.scope)
         .flat_map(|named| &named.members)
         .find(|member| matches!(member.name.as_str(), "real" | "s" | "w" | "scalar" | "re"))?;
-    let numbers = [scalar.value, vector.numbers[0], vector.numbers[1], vector.numbers[2]];
+    let numbers = [
+        scalar.value,
+        vector.numbers[0],
+        vector.numbers[1],
+        vector.numbers[2],
+    ];
     let _ = context;
-    let rotation = quaternion(&numbers, (ComponentOrder::ScalarFirst, OrderSource::Grouped))?;
+    let rotation = quaternion(
+        &numbers,
+        (ComponentOrder::ScalarFirst, OrderSource::Grouped),
+    )?;
     Some(Found {
         made: Made::Rotation(rotation),
         label: label_of(&vector.path[..vector.path.len() - 1]),
@@ -259,6 +293,7 @@ fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Optio
         numbers: numbers.to_vec(),
         is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
         is_computed: vector.is_computed || scalar.is_computed,
+        assumed_format: None,
     })
 }
 
@@ -290,7 +325,11 @@ fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Opti
         Some((member, Meaning::of(&path)))
     })?;
     let numbers: Vec<f64> = axis.into_iter().chain([angle.value]).collect();
-    let made = made(&[Part::AxisAngle(Unit::BySize)], &numbers, context.said(&meaning))?;
+    let made = made(
+        &[Part::AxisAngle(Unit::BySize)],
+        &numbers,
+        context.said(&meaning),
+    )?;
     Some(Found {
         made: made.into_iter().next()?,
         label: "angle".to_owned(),
@@ -298,6 +337,7 @@ fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Opti
         numbers,
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: angle.is_computed,
+        assumed_format: None,
     })
 }
 

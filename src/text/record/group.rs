@@ -230,7 +230,10 @@ fn pure(member: &Member<'_>) -> Option<(Vec<f64>, Vec<usize>)> {
     let same = inner.iter().all(|(numbers, _)| numbers.len() == first);
     same.then(|| {
         let rows = vec![first; inner.len()];
-        (inner.into_iter().flat_map(|(numbers, _)| numbers).collect(), rows)
+        (
+            inner.into_iter().flat_map(|(numbers, _)| numbers).collect(),
+            rows,
+        )
     })
 }
 
@@ -245,7 +248,10 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
         let begins = !before.is_alphanumeric()
             || (before.is_lowercase() && mark.is_uppercase())
             || (before.is_uppercase() && mark.is_uppercase() && next_is_small)
-            || (before.is_ascii_digit() && mark.is_alphabetic() && before != ' ' && mark.is_uppercase());
+            || (before.is_ascii_digit()
+                && mark.is_alphabetic()
+                && before != ' '
+                && mark.is_uppercase());
         if is_part {
             if begins || words.is_empty() {
                 words.push(String::new());
@@ -267,10 +273,7 @@ fn name_and_stem(key: &str) -> (String, String) {
     }
     let mut name = words.pop().unwrap_or_default();
     // `q_w`, `quat.w`, `qW`: the name says whose component it is.
-    if name.len() == 1
-        && "wxyz".contains(&name)
-        && words.last().is_some_and(|last| last == "q")
-    {
+    if name.len() == 1 && "wxyz".contains(&name) && words.last().is_some_and(|last| last == "q") {
         words.pop();
         name.insert(0, 'q');
     }
@@ -279,8 +282,10 @@ fn name_and_stem(key: &str) -> (String, String) {
 
 /// What stands behind a name and says its unit or its type.
 fn is_addition(word: &str) -> bool {
-    ["val", "value", "deg", "degrees", "degree", "rad", "radians", "radian", "m", "mm", "°"]
-        .contains(&word)
+    [
+        "val", "value", "deg", "degrees", "degree", "rad", "radians", "radian", "m", "mm", "°",
+    ]
+    .contains(&word)
 }
 
 fn own_key<'t>(group: &Group<'t>) -> &'t str {

@@ -59,7 +59,10 @@ const ROLES: &[(Role, &str)] = &[
         Role::RotationVector,
         "rotvec rvec rotationvector rodrigues rvecs axisanglevector",
     ),
-    (Role::AxisAngle, "axisangle axang angleaxis rotate3d sfrotation aa"),
+    (
+        Role::AxisAngle,
+        "axisangle axang angleaxis rotate3d sfrotation aa",
+    ),
     (Role::Axis, "axis"),
     (Role::Angle, "angle theta"),
     (
@@ -137,7 +140,10 @@ impl Meaning {
         self.by_columns |= words
             .iter()
             .any(|word| matches!(word.as_str(), "column" | "columns" | "columnmajor"));
-        let derived = is_derived_label(key) || words.iter().any(|word| role_of_word(word) == Some(Role::Derived));
+        let derived = is_derived_label(key)
+            || words
+                .iter()
+                .any(|word| role_of_word(word) == Some(Role::Derived));
         let own = if derived {
             Some(Role::Derived)
         } else {
@@ -153,11 +159,16 @@ impl Meaning {
 
     fn role_in(key: &str, words: &[String], all: &[String]) -> Option<Role> {
         // `T` is a transform and `t` a translation; `R` is a matrix.
-        let first = key.split(|mark: char| !mark.is_alphanumeric()).find(|word| !word.is_empty());
+        let first = key
+            .split(|mark: char| !mark.is_alphanumeric())
+            .find(|word| !word.is_empty());
         if first == Some("T") {
             return Some(Role::Matrix);
         }
-        let two = all[words.len()..].iter().rev().find_map(|word| role_of_word(word));
+        let two = all[words.len()..]
+            .iter()
+            .rev()
+            .find_map(|word| role_of_word(word));
         two.or_else(|| words.iter().rev().find_map(|word| role_of_word(word)))
             // `r` alone is no matrix in the middle of a name.
             .filter(|role| !(*role == Role::Matrix && first == Some("r")))

@@ -53,6 +53,8 @@ pub(crate) struct RecordRotation {
     pub(crate) span: Span,
     /// Whether its name says that it was made of a rotation, or a sign that computes stands at it.
     pub(crate) is_derived: bool,
+    /// The format that no word marks, as which the numbers alone pass.
+    pub(crate) assumed_format: Option<&'static str>,
 }
 
 /// What else stands in a record.
@@ -79,6 +81,8 @@ pub(crate) struct Record {
     pub(crate) beside: Vec<Beside>,
     /// The rows of a file where there are several.
     pub(crate) rows: Vec<Span>,
+    /// The names above them.
+    pub(crate) head: Option<Span>,
 }
 
 /// What is found in a text; `declared` is the order of four numbers where nothing tells it.
@@ -91,6 +95,7 @@ pub(crate) fn record(
     let tokens = scan(text);
     let mut quantities = Quantities::of(&outline(text, &tokens));
     let mut rows = Vec::new();
+    let mut head = None;
     if let Some(table) = Table::of(text) {
         let inside = |span: Span| {
             table.head.start <= span.start
@@ -98,8 +103,12 @@ pub(crate) fn record(
         };
         quantities.replace(inside, table.groups);
         rows = table.rows;
+        head = Some(table.head);
     }
-    let words: BTreeSet<String> = tokens.iter().flat_map(|token| words_of(token.text)).collect();
+    let words: BTreeSet<String> = tokens
+        .iter()
+        .flat_map(|token| words_of(token.text))
+        .collect();
     let formats: Vec<&'static Format> = formats
         .iter()
         .flat_map(|family| family.iter())
@@ -117,10 +126,15 @@ pub(crate) fn record(
     let rotations = all.iter().filter_map(rotation).collect();
     let beside = all.iter().filter_map(beside).collect();
     Record {
-        format: context.formats.iter().copied().find(|format| !format.marks.is_empty()),
+        format: context
+            .formats
+            .iter()
+            .copied()
+            .find(|format| !format.marks.is_empty()),
         rotations,
         beside,
         rows,
+        head,
     }
 }
 
@@ -144,6 +158,7 @@ fn rotation(found: &Found) -> Option<RecordRotation> {
         label: found.label.clone(),
         span: found.span,
         is_derived: found.is_derived || found.is_computed,
+        assumed_format: found.assumed_format,
     })
 }
 
@@ -173,7 +188,10 @@ fn settings(
     let mut sequence = None;
     for value in values {
         let key = words_of(value.key);
-        let is = |names: &[&str]| key.last().is_some_and(|last| names.contains(&last.as_str()));
+        let is = |names: &[&str]| {
+            key.last()
+                .is_some_and(|last| names.contains(&last.as_str()))
+        };
         if is(&["order", "format", "convention", "layout", "components"]) {
             order = order.or_else(|| order_in_name(value.text));
         }

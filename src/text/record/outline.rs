@@ -38,7 +38,10 @@ enum Opened {
     /// The element of this name is still among its attributes, or not.
     Element,
     /// A heading that is so far indented; whether lines as far indented are inside.
-    Heading { indent: usize, takes_same: bool },
+    Heading {
+        indent: usize,
+        takes_same: bool,
+    },
 }
 
 struct Open<'t> {
@@ -262,7 +265,11 @@ impl<'t> Builder<'t> {
     }
 
     fn close_bracket(&mut self) {
-        let Some(at) = self.open.iter().rposition(|open| open.opened == Opened::Bracket) else {
+        let Some(at) = self
+            .open
+            .iter()
+            .rposition(|open| open.opened == Opened::Bracket)
+        else {
             self.flush();
             return;
         };
@@ -288,21 +295,27 @@ impl<'t> Builder<'t> {
         }
         let words = std::mem::take(&mut self.pending).words;
         let key = open.member.key;
-        let start = key.as_ptr() as usize - self.text.as_ptr() as usize;
-        let span = Span::from(start..start + key.len());
         let before = Token {
             mark: Mark::Word,
             text: key,
-            span,
+            span: self.span_of(key),
         };
         Some(Pending {
-            words: (!key.is_empty()).then_some(before).into_iter().chain(words).collect(),
+            words: (!key.is_empty())
+                .then_some(before)
+                .into_iter()
+                .chain(words)
+                .collect(),
             labels: Vec::new(),
         })
     }
 
     fn close_element(&mut self) {
-        let Some(at) = self.open.iter().rposition(|open| open.opened == Opened::Element) else {
+        let Some(at) = self
+            .open
+            .iter()
+            .rposition(|open| open.opened == Opened::Element)
+        else {
             self.flush();
             return;
         };
@@ -323,12 +336,12 @@ impl<'t> Builder<'t> {
                 // What stands before the factor names the numbers.
                 self.factor = Some(value);
                 if !factor.key.is_empty() {
-                    let start = factor.key.as_ptr() as usize - self.text.as_ptr() as usize;
+                    let span = self.span_of(factor.key);
                     self.pending = Pending {
                         words: vec![Token {
                             mark: Mark::Word,
                             text: factor.key,
-                            span: Span::from(start..start + factor.key.len()),
+                            span,
                         }],
                         labels: vec![1],
                     };
@@ -390,7 +403,11 @@ impl<'t> Builder<'t> {
             .is_some_and(|word| word.text.contains("opencv"))
     }
 
+    /// The place of a piece of the text; of nothing, the beginning.
     fn span_of(&self, key: &str) -> Span {
+        if key.is_empty() {
+            return Span::default();
+        }
         let start = key.as_ptr() as usize - self.text.as_ptr() as usize;
         Span::from(start..start + key.len())
     }
@@ -426,7 +443,9 @@ fn is_heading(tokens: &[Token<'_>]) -> bool {
         .map(|token| token.mark)
         .take_while(|mark| !matches!(mark, Mark::Line(_)))
         .collect();
-    let words = line.iter().all(|mark| matches!(mark, Mark::Word | Mark::Label));
+    let words = line
+        .iter()
+        .all(|mark| matches!(mark, Mark::Word | Mark::Label));
     let typed = tokens
         .iter()
         .take(line.len())

@@ -77,9 +77,9 @@ fn one(part: Part, numbers: &[f64], said: Said) -> Option<Made> {
         }
         Part::AxisAngle(unit) => axis_angle(&numbers[..3], numbers[3], unit, said)?,
         Part::AngleAxis(unit) => axis_angle(&numbers[1..], numbers[0], unit, said)?,
-        Part::Rows => Made::Rotation(ParsedRotation::Matrix(orthonormal(Matrix3::from_row_slice(
-            numbers,
-        ))?)),
+        Part::Rows => Made::Rotation(ParsedRotation::Matrix(orthonormal(
+            Matrix3::from_row_slice(numbers),
+        )?)),
         Part::Columns => Made::Columns(ParsedRotation::Matrix(orthonormal(
             Matrix3::from_column_slice(numbers),
         )?)),
@@ -183,7 +183,9 @@ fn homogeneous(part: Part, numbers: &[f64]) -> Option<Vec<Made>> {
     };
     if numbers.len() == 16 {
         let last = [0, 1, 2, 3].map(|column| entry(3, column));
-        if last[..3].iter().any(|entry| entry.abs() > ROUNDED_ZERO) || (last[3] - 1.0).abs() > ROUNDED_ZERO {
+        if last[..3].iter().any(|entry| entry.abs() > ROUNDED_ZERO)
+            || (last[3] - 1.0).abs() > ROUNDED_ZERO
+        {
             return None;
         }
     }

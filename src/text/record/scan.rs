@@ -70,7 +70,12 @@ fn decimals(text: &str) -> Decimals {
             .is_some_and(u8::is_ascii_digit)
     };
     let between = |at: usize| digit(at.checked_sub(1)) && digit(Some(at + 1));
-    let marks = |mark: u8| bytes.iter().enumerate().filter(move |&(_, &byte)| byte == mark);
+    let marks = |mark: u8| {
+        bytes
+            .iter()
+            .enumerate()
+            .filter(move |&(_, &byte)| byte == mark)
+    };
     let commas = marks(b',').count();
     let all_decimal = commas > 1 && marks(b',').all(|(at, _)| between(at));
     let no_points = !marks(b'.').any(|(at, _)| between(at));
@@ -122,7 +127,10 @@ impl<'t> Scanner<'t> {
         let mut inside = &rest[blank..];
         let mut indent = blank;
         // A list of YAML is inside of what stands above it, wherever its dash is.
-        while let Some(item) = inside.strip_prefix("- ").or_else(|| inside.strip_prefix("-\t")) {
+        while let Some(item) = inside
+            .strip_prefix("- ")
+            .or_else(|| inside.strip_prefix("-\t"))
+        {
             let own = item.trim_start_matches([' ', '\t']);
             indent += inside.len() - own.len();
             inside = own;
@@ -134,7 +142,9 @@ impl<'t> Scanner<'t> {
         if self.rest().starts_with("---") || self.rest().starts_with("===") {
             let run = self.rest();
             let rule = run.len() - run.trim_start_matches(['-', '=']).len();
-            if run[rule..].trim_start_matches([' ', '\t', '\r']).starts_with('\n')
+            if run[rule..]
+                .trim_start_matches([' ', '\t', '\r'])
+                .starts_with('\n')
                 || run[rule..].trim().is_empty()
             {
                 self.push(Mark::Bar, rule);
@@ -178,7 +188,14 @@ impl<'t> Scanner<'t> {
             ';' => self.push(Mark::Semicolon, 1),
             '|' => self.push(Mark::Bar, 1),
             '*' | '×' | '·' | '^' | '√' => self.operator(first),
-            '/' if matches!(self.tokens.last(), Some(Token { mark: Mark::Number(_), .. })) && !second.is_alphabetic() => {
+            '/' if matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Number(_),
+                    ..
+                })
+            ) && !second.is_alphabetic() =>
+            {
                 self.push(Mark::Operator, 1);
             }
             '…' => self.push(Mark::Operator, first.len_utf8()),
@@ -192,7 +209,14 @@ impl<'t> Scanner<'t> {
         let length = first.len_utf8();
         let line = self.rest()[length..].trim_start_matches([' ', '\t', '\r']);
         let is_factor = first == '*' && line.starts_with('\n');
-        self.push(if is_factor { Mark::Factor } else { Mark::Operator }, length);
+        self.push(
+            if is_factor {
+                Mark::Factor
+            } else {
+                Mark::Operator
+            },
+            length,
+        );
     }
 
     fn sign(&mut self, first: char) {
@@ -212,7 +236,10 @@ impl<'t> Scanner<'t> {
         let next = after.chars().next().unwrap_or(' ');
         let flag = rest.trim_start_matches('-');
         if flag.starts_with(|first: char| first.is_alphabetic())
-            && !matches!(self.touching(), Some(Mark::Word | Mark::Number(_) | Mark::Close))
+            && !matches!(
+                self.touching(),
+                Some(Mark::Word | Mark::Number(_) | Mark::Close)
+            )
             && first == '-'
         {
             let dashes = rest.len() - flag.len();
@@ -228,7 +255,15 @@ impl<'t> Scanner<'t> {
             // `0.5-0.5` ran together, or is a difference; behind a name it is a part of it.
             Some(Mark::Number(_) | Mark::Close) => self.push(Mark::Operator, length),
             _ if is_number => self.number(length),
-            _ if next.is_whitespace() && matches!(self.tokens.last(), Some(Token { mark: Mark::Number(_) | Mark::Close, .. })) => {
+            _ if next.is_whitespace()
+                && matches!(
+                    self.tokens.last(),
+                    Some(Token {
+                        mark: Mark::Number(_) | Mark::Close,
+                        ..
+                    })
+                ) =>
+            {
                 self.push(Mark::Operator, length);
             }
             _ => self.at += length,
@@ -246,11 +281,15 @@ impl<'t> Scanner<'t> {
             return;
         }
         let bytes = body.as_bytes();
-        let digits = |from: usize| bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
-        let mut end = digits(0);
-        let is_point = |byte: u8| {
-            byte == b'.' || (byte == b',' && self.decimals == Decimals::Comma)
+        let digits = |from: usize| {
+            bytes[from..]
+                .iter()
+                .take_while(|byte| byte.is_ascii_digit())
+                .count()
         };
+        let mut end = digits(0);
+        let is_point =
+            |byte: u8| byte == b'.' || (byte == b',' && self.decimals == Decimals::Comma);
         if bytes.get(end).copied().is_some_and(is_point) {
             end += 1;
             end += digits(end);
@@ -282,7 +321,9 @@ impl<'t> Scanner<'t> {
             .find(|suffix| after.strip_prefix(suffix).is_some_and(ends))
         {
             self.at += suffix.len();
-        } else if after.starts_with('.') && !after[1..].starts_with(|next: char| next.is_alphanumeric()) {
+        } else if after.starts_with('.')
+            && !after[1..].starts_with(|next: char| next.is_alphanumeric())
+        {
             self.at += 1;
         }
     }
@@ -293,7 +334,8 @@ impl<'t> Scanner<'t> {
         loop {
             let after = &rest[end..];
             let joint = if after.starts_with("::") { 2 } else { 1 };
-            let is_joint = after.starts_with("::") || after.starts_with('.') || after.starts_with('-');
+            let is_joint =
+                after.starts_with("::") || after.starts_with('.') || after.starts_with('-');
             let next = after.get(joint..).unwrap_or("");
             // `tf2-echo`, `body-to-world`; `x-0.5` is a difference.
             if is_joint && next.starts_with(|first: char| first.is_alphabetic() || first == '_') {
@@ -307,7 +349,9 @@ impl<'t> Scanner<'t> {
         // The types in `SIMD3<Float>`, `Matrix{Float64}`, `!!opencv-matrix`: names inside brackets that touch.
         let after = &rest[end..];
         let argument = types(after);
-        if after[argument..].starts_with('\'') && !after[argument + 1..].starts_with(|next: char| next.is_alphanumeric()) {
+        if after[argument..].starts_with('\'')
+            && !after[argument + 1..].starts_with(|next: char| next.is_alphanumeric())
+        {
             self.push(Mark::Word, end + argument);
             self.push(Mark::Operator, 1);
             return;
@@ -331,7 +375,10 @@ impl<'t> Scanner<'t> {
         let inside = &inside[..length];
         let numbers = inside
             .split(|mark: char| mark.is_whitespace() || ",;".contains(mark))
-            .filter(|part| part.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first)) && part.contains(|digit: char| digit.is_ascii_digit()))
+            .filter(|part| {
+                part.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first))
+                    && part.contains(|digit: char| digit.is_ascii_digit())
+            })
             .count();
         let is_number = inside.trim().parse::<f64>().is_ok_and(f64::is_finite);
         if is_number {
@@ -374,7 +421,9 @@ impl<'t> Scanner<'t> {
                 || after.starts_with("/>")
                 || attribute.len() < after.len()
                     && attribute.trim_start().starts_with('=')
-                    && attribute.trim_start()[1..].trim_start().starts_with(['"', '\'']));
+                    && attribute.trim_start()[1..]
+                        .trim_start()
+                        .starts_with(['"', '\'']));
         if is_tag {
             self.push(Mark::TagOpen, 1 + length);
         } else if rest.starts_with("<<") {
@@ -405,7 +454,9 @@ fn types(text: &str) -> usize {
     };
     let inside = &text[1..end];
     let is_types = inside.starts_with(char::is_alphabetic)
-        && inside.chars().all(|mark| mark.is_alphanumeric() || "_:, ".contains(mark))
+        && inside
+            .chars()
+            .all(|mark| mark.is_alphanumeric() || "_:, ".contains(mark))
         && !inside.contains(": ");
     if is_types { end + 1 } else { 0 }
 }
@@ -419,13 +470,19 @@ fn prompt(line: &str) -> usize {
         let rest = rest.trim_start_matches(' ');
         if let Some(inside) = rest.strip_prefix('[')
             && let Some(end) = inside.find(']')
-            && inside[..end].trim().bytes().all(|byte| byte.is_ascii_digit())
+            && inside[..end]
+                .trim()
+                .bytes()
+                .all(|byte| byte.is_ascii_digit())
         {
             let after = inside[end + 1..].trim_start_matches([':', '=']);
             return line.len() - after.len();
         }
     }
-    line.len() - line.trim_start_matches(['>', '#', '%', '$', '/', '*', ' ', '\t']).len()
+    line.len()
+        - line
+            .trim_start_matches(['>', '#', '%', '$', '/', '*', ' ', '\t'])
+            .len()
 }
 
 /// How many bytes at the start are a date or a time of day.

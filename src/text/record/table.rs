@@ -131,7 +131,9 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
     if !line.contains(marks) {
         return Vec::new();
     }
-    line.split(marks).map(|cell| cell.trim().trim_matches(['"', '\''])).collect()
+    line.split(marks)
+        .map(|cell| cell.trim().trim_matches(['"', '\'']))
+        .collect()
 }
 
 fn is_number(cell: &str) -> bool {

@@ -1,0 +1,223 @@
+//! The attitude in a whole block of text: which of its rotations is meant, and what stands beside it.
+
+use crate::analyze::attitude::{Attitude, Declared};
+use crate::analyze::plain_numbers::plain;
+use crate::contract::{
+    Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
+};
+use crate::convention::Direction;
+use crate::problem::Span;
+use crate::problem::fault::Fault;
+use crate::problem::suggestion::{Remedy, Suggestion};
+use crate::text::formats::{FORMATS, PLAIN};
+use crate::text::mend::written::rotation_text;
+use crate::text::record::{Record, RecordRotation, What, record};
+use crate::text::{RotationText, RowMarks};
+use nalgebra::Vector3;
+
+/// Two descriptions of one rotation are no farther apart, in degrees: angles are often printed with no
+/// more than whole degrees, and matrices with two decimals.
+const SAME_WITHIN_DEG: f64 = 0.75;
+
+/// The attitude that is found in a text, or why it is not known which; `None` where none is found.
+///
+/// `plain` is what the text is read as by itself, where it is.
+pub(crate) fn of_record(
+    text: &str,
+    declared: Declared,
+    plain: Option<&Attitude>,
+) -> Option<Result<Attitude, Fault>> {
+    let record = record(text, declared.convention.order, FORMATS, PLAIN);
+    let mut read: Vec<(&RecordRotation, Attitude)> = Vec::new();
+    let mut fault = None;
+    for found in record.rotations.iter().filter(|found| !found.is_derived) {
+        let parsed = RotationText {
+            rotation: found.rotation.clone(),
+            row_marks: RowMarks::Lines,
+        };
+        match Attitude::of_parsed(parsed, text, declared) {
+            Ok(attitude) => read.push((found, attitude)),
+            Err(problem) => fault = fault.or(Some(problem)),
+        }
+    }
+    let derived = record.rotations.iter().find(|found| found.is_derived);
+    if read.is_empty() {
+        return match (fault, derived) {
+            (Some(fault), _) => Some(Err(fault)),
+            (None, Some(derived)) if plain.is_none() => {
+                Some(Err(Fault::derived_label(derived.span, &derived.label)))
+            }
+            _ => None,
+        };
+    }
+    if record.rows.len() > 1 {
+        return Some(Err(several_rows(&record, text)));
+    }
+    let differs =
+        |one: &Attitude, other: &Attitude| one.rotation.angle_to_rad(&other.rotation).to_degrees();
+    let chosen = match plain {
+        Some(plain) => read
+            .iter()
+            .position(|(_, attitude)| differs(plain, attitude) < SAME_WITHIN_DEG)?,
+        None => preferred(&read),
+    };
+    let others: Vec<(&RecordRotation, f64)> = read
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| *at != chosen)
+        .map(|(_, (found, other))| (*found, differs(&read[chosen].1, other)))
+        .collect();
+    let (found, attitude) = read.swap_remove(chosen);
+    let disagree = others.iter().any(|(_, differs)| *differs > SAME_WITHIN_DEG);
+    let is_kind = |other: &RecordRotation| {
+        std::mem::discriminant(&other.rotation) == std::mem::discriminant(&found.rotation)
+    };
+    // Of two quaternions one is another rotation; angles beside a quaternion should be the same one.
+    if disagree
+        && others
+            .iter()
+            .any(|(other, differs)| *differs > SAME_WITHIN_DEG && is_kind(other))
+    {
+        return Some(Err(several_rotations(&record, text)));
+    }
+    let mut told = Vec::new();
+    for (other, differs_by_deg) in others {
+        let description = OtherDescription {
+            label: named(&other.label),
+            text: text[other.span.start..other.span.end].to_owned(),
+            differs_by_deg: plain_degrees(differs_by_deg),
+        };
+        told.push(if differs_by_deg > SAME_WITHIN_DEG {
+            Fact::DescriptionsDisagree(description)
+        } else {
+            Fact::SecondDescription(description)
+        });
+    }
+    told.extend(found_in_text(&record, found, &attitude, declared, text));
+    if found.by_columns {
+        told.push(Fact::ColumnsFromText);
+    }
+    if let Some(format) = found.assumed_format {
+        told.push(Fact::FormatAssumed(FormatAssumed {
+            format: format.to_owned(),
+        }));
+    }
+    let attitude = match plain {
+        Some(plain) => plain.clone(),
+        None => attitude,
+    };
+    Some(Ok(Attitude { told, ..attitude }))
+}
+
+fn plain_degrees(degrees: f64) -> f64 {
+    plain(degrees)
+}
+
+fn named(label: &str) -> Option<String> {
+    (!label.is_empty()).then(|| label.to_owned())
+}
+
+/// A quaternion or a matrix before angles, whose sequence may only be the usual one; the first of those.
+fn preferred(read: &[(&RecordRotation, Attitude)]) -> usize {
+    let is_certain =
+        |attitude: &Attitude| matches!(attitude.form, Form::Quaternion | Form::Matrix(_));
+    read.iter()
+        .position(|(_, attitude)| is_certain(attitude))
+        .unwrap_or(0)
+}
+
+/// What stands around the rotation; `None` where the numbers are all that there is.
+fn found_in_text(
+    record: &Record,
+    found: &RecordRotation,
+    attitude: &Attitude,
+    declared: Declared,
+    text: &str,
+) -> Option<Fact> {
+    let beside: Vec<Beside> = record
+        .beside
+        .iter()
+        .map(|beside| Beside {
+            quantity: match beside.what {
+                What::Position => BesideQuantity::Position,
+                What::Scale => BesideQuantity::Scale,
+            },
+            label: named(&beside.label),
+            numbers: beside.numbers.map(plain),
+            body_in_world: (beside.what == What::Position)
+                .then(|| body_in_world(beside.numbers, attitude, declared)),
+        })
+        .collect();
+    let format = record.format.map(|format| format.name.to_owned());
+    let is_told = !beside.is_empty() || format.is_some();
+    is_told.then(|| {
+        Fact::FoundInText(FoundInText {
+            format,
+            label: named(&found.label),
+            text: text[found.span.start..found.span.end].to_owned(),
+            beside,
+        })
+    })
+}
+
+/// Where the body's origin stands in the world, of a translation beside numbers that lead from one to the
+/// other: x = R X + t of world to body puts it at −Rᵀt.
+fn body_in_world(translation: [f64; 3], attitude: &Attitude, declared: Declared) -> [f64; 3] {
+    let direction = match attitude.form {
+        Form::Quaternion => declared.convention.direction,
+        Form::Matrix(_) => declared.matrix.direction,
+        _ => Direction::BodyToWorld,
+    };
+    match direction {
+        Direction::BodyToWorld => translation.map(plain),
+        Direction::WorldToBody => {
+            let body_to_world = attitude.rotation.matrix(Direction::BodyToWorld);
+            let origin = -(body_to_world * Vector3::from(translation));
+            [origin.x, origin.y, origin.z].map(plain)
+        }
+    }
+}
+
+/// That there are several rotations, each as a text of its own.
+fn several_rotations(record: &Record, text: &str) -> Fault {
+    let span = Span::of_trimmed(text);
+    let rotations = record.rotations.iter().filter(|found| !found.is_derived);
+    let count = rotations.clone().count();
+    Fault::several_rotations(span, count).offering(|| {
+        rotations
+            .enumerate()
+            .map(|(at, found)| Suggestion {
+                label: Some(if found.label.is_empty() {
+                    format!("{}", at + 1)
+                } else {
+                    found.label.clone()
+                }),
+                ..Suggestion::new(Remedy::ThisRotation, rotation_text(&found.rotation))
+            })
+            .collect()
+    })
+}
+
+/// That there are several rows of a file: the names above and one of them is a text of its own.
+fn several_rows(record: &Record, text: &str) -> Fault {
+    let span = record.rows[0].to(record.rows[record.rows.len() - 1]);
+    Fault::several_rows(span, record.rows.len()).offering(|| {
+        let head = record.head.map_or("", |head| &text[head.start..head.end]);
+        let last = record.rows.len() - 1;
+        [0, last]
+            .into_iter()
+            .map(|at| {
+                let row = &text[record.rows[at].start..record.rows[at].end];
+                let text = if head.is_empty() {
+                    row.to_owned()
+                } else {
+                    format!("{head}\n{row}")
+                };
+                Suggestion {
+                    label: Some(format!("row {}", at + 1)),
+                    ..Suggestion::new(Remedy::ThisRotation, text)
+                }
+            })
+            .collect()
+    })
+}

@@ -278,7 +278,9 @@ impl Attitude {
 fn is_record(text: &str, plain: &Result<Attitude, Fault>) -> bool {
     match plain {
         Ok(_) => names_more(text),
-        Err(fault) => !is_too_long(text) && fault.code != ProblemCode::EmptyText,
+        Err(fault) => {
+            !is_too_long(text) && !(fault.code == ProblemCode::EmptyText && text.trim().is_empty())
+        }
     }
 }
 

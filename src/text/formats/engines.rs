@@ -2,10 +2,10 @@
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
-use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+use crate::text::record::format::{Angles, Field, Format, Letters, Part, Unit};
 
 /// Pitch, yaw, roll in degrees: Rz(yaw) Ry(−pitch) Rx(−roll), as the axes are left-handed.
-const ROTATOR: Part = Part::Euler(
+pub(crate) const ROTATOR: Part = Part::Euler(
     Angles::new("ZYX", Unit::Always(Degrees))
         .placed([1, 0, 2])
         .signed([1.0, -1.0, -1.0]),
@@ -23,12 +23,11 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "unreal-fquat",
         name: "Unreal",
-        marks: &["frotator|ftransform|relativerotation|uobject|actor|p"],
-        order: None,
-        fields: &[
-            Field::Named("p y r", &[ROTATOR]),
-            Field::Named("pitch yaw roll", &[ROTATOR]),
+        marks: &[
+            "frotator|ftransform|relativerotation|uobject|actor|unreal|ue4|ue5|fquat|fvector|rotator",
         ],
+        order: None,
+        fields: &[Field::Named("pitch yaw roll", &[ROTATOR])],
     },
     // The basis row by row, then the origin (Godot, text of a scene).
     Format {
@@ -80,7 +79,10 @@ pub(crate) const ENGINES: &[Format] = &[
             "transform|def|translation|shape|solid|children|robot|vrml|rotation",
         ],
         order: None,
-        fields: &[],
+        fields: &[Field::Under(
+            "rotation",
+            &[Part::AxisAngle(Unit::Usually(Radians))],
+        )],
     },
     // Four numbers by name: x y z w; the axis and the angle in radians beside them (FreeCAD, Placement).
     Format {
@@ -97,6 +99,42 @@ pub(crate) const ENGINES: &[Format] = &[
                 &[Part::Euler(Angles::new("ZYX", Unit::Always(Degrees)))],
             ),
         ],
+    },
+    // `Euler {_x: 0.1, _y: 0.2, _z: 0.3, _order: 'XYZ'}`: moving axes, radians (three.js).
+    Format {
+        id: "three",
+        name: "three.js",
+        marks: &["_order|iseuler|isquaternion|isobject3d"],
+        order: Some(ScalarLast),
+        fields: &[Field::NamedUnder(
+            "Euler|rotation",
+            "x y z",
+            &[Part::Euler(
+                Angles::new("XYZ", Unit::Usually(Radians)).lettered(Letters::AllMove),
+            )],
+        )],
+    },
+    // `<Euler (x=0.1, y=0.2, z=0.3), order='XYZ'>`: fixed axes, radians (Blender, mathutils).
+    Format {
+        id: "mathutils",
+        name: "Blender",
+        marks: &["euler", "order"],
+        order: None,
+        fields: &[Field::NamedUnder(
+            "Euler",
+            "x y z",
+            &[Part::Euler(
+                Angles::new("xyz", Unit::Usually(Radians)).lettered(Letters::AllFixed),
+            )],
+        )],
+    },
+    // `Quaternion { coords: Matrix { data: [x, y, z, w] } }` (nalgebra, Debug).
+    Format {
+        id: "nalgebra",
+        name: "nalgebra",
+        marks: &["coords", "quaternion|unitquaternion|unit"],
+        order: Some(ScalarLast),
+        fields: &[],
     },
     // `Quat(x, y, z, w)` (Bevy and glam, Debug).
     Format {

@@ -1,6 +1,7 @@
 //! What names mean in no particular format.
 
 use crate::convention::order::ComponentOrder::ScalarFirst;
+use crate::text::formats::engines::ROTATOR;
 use crate::text::record::format::{Angles, Field, Part, Unit};
 
 /// Roll, pitch and yaw by name: turns about the fixed axes x, y, z, as in ROS.
@@ -19,6 +20,8 @@ pub(crate) const PLAIN: &[Field] = &[
             )),
         ],
     ),
+    // Unreal's rotator as it prints itself.
+    Field::Named("p y r", &[ROTATOR]),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),

@@ -43,10 +43,10 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "universal-robots-pose",
         name: "Universal Robots",
-        marks: &["p|movel|movej|movep|urscript|tcp|polyscope|ur5|ur10|ur3|ur5e|ur10e|ur3e"],
+        marks: &["p|movel|movej|movep|movec|urscript|tcp|polyscope|actualtcppose|getactualtcppose"],
         order: None,
         fields: &[Field::Under(
-            "p|tcp|pose",
+            "p|tcp|movel|movej|actualtcppose",
             &[Part::Position, Part::RotationVector(Radians)],
         )],
     },
@@ -94,7 +94,10 @@ pub(crate) const ROBOTS: &[Format] = &[
         name: "Yaskawa Motoman",
         marks: &["yaskawa|motoman|rconf|inform"],
         order: None,
-        fields: &[Field::Named("rx ry rz", &[FIXED_XYZ])],
+        fields: &[
+            Field::Any(&[Part::Position, FIXED_XYZ]),
+            Field::Named("rx ry rz", &[FIXED_XYZ]),
+        ],
     },
     // `set_position(x, y, z, roll, pitch, yaw)`: millimetres and degrees, fixed x, y, z (UFACTORY).
     Format {

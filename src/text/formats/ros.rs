@@ -1,8 +1,8 @@
 //! ROS and what belongs to it.
 
-use crate::convention::angle::AngleUnit::Radians;
+use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
-use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+use crate::text::record::format::{Angles, Field, Format, Letters, Part, Unit};
 
 /// Yaw, pitch, roll in this order, about moving z, y, x.
 const YAW_PITCH_ROLL: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Radians)));
@@ -92,17 +92,11 @@ pub(crate) const ROS: &[Format] = &[
             Field::Under("quat", &[Part::Quaternion(Some(ScalarFirst))]),
             Field::Under(
                 "euler",
-                &[Part::Euler(Angles::new(
-                    "XYZ",
-                    Unit::Usually(crate::convention::angle::AngleUnit::Degrees),
-                ))],
+                &[Part::Euler(
+                    Angles::new("XYZ", Unit::Usually(Degrees)).lettered(Letters::SmallMove),
+                )],
             ),
-            Field::Under(
-                "axisangle",
-                &[Part::AxisAngle(Unit::Usually(
-                    crate::convention::angle::AngleUnit::Degrees,
-                ))],
-            ),
+            Field::Under("axisangle", &[Part::AxisAngle(Unit::Usually(Degrees))]),
         ],
     },
 ];

@@ -2,12 +2,11 @@
 //! what the names say, then the numbers themselves.
 
 use crate::convention::angle::{AngleUnit, UnitSource};
-use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
 use crate::text::record::format::{Angles, Field, Format, Part, Unit};
-use crate::text::record::group::{Group, Named, Quantities, words_of};
+use crate::text::record::group::{Group, Named, Quantities, identifiers_of, words_of};
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
 
@@ -18,7 +17,6 @@ pub(crate) struct Found {
     /// The name that stands before it, as written.
     pub(crate) label: String,
     pub(crate) span: Span,
-    pub(crate) numbers: Vec<f64>,
     /// Whether its name says that it was made of a rotation: an inverse, a derivative.
     pub(crate) is_derived: bool,
     /// Whether a sign that computes stands at it.
@@ -34,7 +32,8 @@ pub(crate) struct Context<'f> {
     /// The order that the text tells once for all.
     pub(crate) order: Option<ComponentOrder>,
     pub(crate) unit: Option<AngleUnit>,
-    pub(crate) sequence: Option<EulerSequence>,
+    /// The letters of a sequence: `_order: 'XYZ'`.
+    pub(crate) letters: Option<String>,
 }
 
 impl Context<'_> {
@@ -48,11 +47,12 @@ impl Context<'_> {
         }
     }
 
-    fn said(&self, meaning: &Meaning) -> Said {
+    fn said(&self, meaning: &Meaning) -> Said<'_> {
         Said {
             order: self.order(meaning),
             unit: meaning.unit.or(self.unit),
-            sequence: meaning.sequence.or(self.sequence),
+            sequence: meaning.sequence,
+            letters: self.letters.as_deref(),
         }
     }
 }
@@ -83,6 +83,7 @@ pub(crate) fn found(
     for named in &quantities.named {
         all.extend(of_named(named, context, &fields));
     }
+    all.extend(positions_beside(quantities, &all));
     all.extend(split_quaternion(quantities, context));
     all.extend(axis_beside_angle(quantities, context));
     all.sort_by_key(|found| found.span.start);
@@ -103,8 +104,9 @@ fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
     let of_fields = fields.iter().find_map(|(field, assumed)| {
         let (is_it, parts) = match field {
             Field::Under(names, parts) => (stands_under(&group.path, names), parts),
+            Field::Any(parts) => (true, parts),
             Field::Row(parts) => (group.path.iter().all(|key| key.is_empty()), parts),
-            Field::Named(..) => return None,
+            Field::Named(..) | Field::NamedUnder(..) => return None,
         };
         let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
         Some((made, *assumed))
@@ -116,7 +118,6 @@ fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
             made,
             label: label_of(&group.path),
             span: group.span,
-            numbers: group.numbers.clone(),
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: group.is_computed,
             assumed_format,
@@ -124,19 +125,23 @@ fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
         .collect()
 }
 
-/// Whether one of these names, in words, stands over numbers.
+/// Whether one of these names stands over numbers; a letter alone only as it is.
 fn stands_under(path: &[&str], names: &str) -> bool {
-    path.iter().any(|key| {
-        let words = words_of(key);
-        names.split('|').any(|name| {
-            let name = words_of(name);
-            words.windows(name.len().max(1)).any(|own| own == name)
+    names.split('|').any(|name| {
+        let lower = name.to_lowercase();
+        let parts = words_of(name);
+        path.iter().any(|key| {
+            identifiers_of(key).any(|own| own == lower)
+                || (name.len() > 1
+                    && words_of(key)
+                        .windows(parts.len().max(1))
+                        .any(|own| own == parts))
         })
     })
 }
 
 /// What numbers are by their name and count.
-fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said) -> Vec<Made> {
+fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     let numbers = &group.numbers[..];
     let role = meaning.role;
     let parts = |parts: &[Part]| made(parts, numbers, said);
@@ -148,7 +153,9 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said) -> Vec<Made> {
     match (numbers.len(), role) {
         (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
         (3, Some(Role::Scale)) => parts(&[Part::Scale]).unwrap_or(none),
-        (3, Some(Role::Euler | Role::Rotation)) if said.sequence.is_some() => {
+        (3, Some(Role::Euler | Role::Rotation))
+            if said.sequence.is_some() || said.letters.is_some() =>
+        {
             let angles = Angles::new("ZYX", Unit::BySize);
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
@@ -161,7 +168,11 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said) -> Vec<Made> {
             })
         }
         (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
-        (4, None | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived)) => {
+        (
+            4,
+            None
+            | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived | Role::Matrix),
+        ) => {
             let rotation = quaternion(numbers, said.order);
             rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
         }
@@ -198,8 +209,10 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
     let mut left: Vec<&_> = named.members.iter().collect();
     let mut all = Vec::new();
     for (field, _) in fields {
-        let Field::Named(names, parts) = field else {
-            continue;
+        let (names, parts) = match field {
+            Field::Named(names, parts) => (names, parts),
+            Field::NamedUnder(above, names, parts) if stands_under(&path, above) => (names, parts),
+            _ => continue,
         };
         let wanted: Vec<&str> = names.split(' ').collect();
         let members: Option<Vec<_>> = wanted
@@ -209,9 +222,12 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
         let Some(members) = members else {
             continue;
         };
-        if matches!(parts, [Part::Position]) && !is_of_vector(&meaning) {
-            continue;
-        }
+        let is_scale = meaning.role == Some(Role::Scale);
+        let parts = match parts {
+            [Part::Position] if is_scale => &[Part::Scale][..],
+            [Part::Position] if !is_of_vector(&meaning) => continue,
+            parts => parts,
+        };
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
         let mut said = context.said(&meaning);
         let of_names = |order| (order, OrderSource::Named);
@@ -238,7 +254,6 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
             made,
             label: label_of(&path),
             span,
-            numbers: numbers.clone(),
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: members.iter().any(|member| member.is_computed),
             assumed_format: None,
@@ -262,6 +277,43 @@ fn is_of_vector(meaning: &Meaning) -> bool {
                 | Role::Vector
         )
     )
+}
+
+/// Three numbers without a name in the brackets that hold four numbers of a quaternion: `((x, y, z), (…))`.
+fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> {
+    let is_quaternion = |group: &Group<'_>| {
+        found.iter().any(|found| {
+            found.span == group.span
+                && matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_)))
+        })
+    };
+    let threes = |scope: usize| {
+        quantities.groups.iter().filter(move |group| {
+            let is_bare = group.path.last().is_none_or(|key| key.is_empty());
+            group.scope == scope && group.numbers.len() == 3 && is_bare
+        })
+    };
+    quantities
+        .groups
+        .iter()
+        .filter(|group| is_quaternion(group))
+        .filter_map(|quaternion| {
+            let mut threes = threes(quaternion.scope);
+            let only = threes.next().filter(|_| threes.next().is_none())?;
+            let is_told = found
+                .iter()
+                .any(|found| found.span == only.span && !matches!(found.made, Made::Nothing));
+            let numbers = <[f64; 3]>::try_from(&only.numbers[..]).ok()?;
+            (!is_told).then(|| Found {
+                made: Made::Position(numbers),
+                label: String::new(),
+                span: only.span,
+                is_derived: false,
+                is_computed: only.is_computed,
+                assumed_format: None,
+            })
+        })
+        .collect()
 }
 
 /// A scalar and a vector, each under its name: `real: 0.8, imag: (…)`.
@@ -290,7 +342,6 @@ fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Optio
         made: Made::Rotation(rotation),
         label: label_of(&vector.path[..vector.path.len() - 1]),
         span: scalar.span.to(vector.span),
-        numbers: numbers.to_vec(),
         is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
         is_computed: vector.is_computed || scalar.is_computed,
         assumed_format: None,
@@ -334,17 +385,8 @@ fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Opti
         made: made.into_iter().next()?,
         label: "angle".to_owned(),
         span: angle.span.to(axis_span),
-        numbers,
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: angle.is_computed,
         assumed_format: None,
     })
-}
-
-/// Whether two rotations are one within what rounding leaves open, in degrees.
-pub(crate) fn rotation_of(found: &Found) -> Option<&ParsedRotation> {
-    match &found.made {
-        Made::Rotation(rotation) | Made::Columns(rotation) => Some(rotation),
-        _ => None,
-    }
 }

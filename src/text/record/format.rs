@@ -22,6 +22,10 @@ pub(crate) struct Format {
 pub(crate) enum Field {
     /// Numbers under one of these names, which bars divide.
     Under(&'static str, &'static [Part]),
+    /// Numbers whatever their name.
+    Any(&'static [Part]),
+    /// Single numbers with such names below one of the first names.
+    NamedUnder(&'static str, &'static str, &'static [Part]),
     /// Single numbers with these names, which spaces divide, in the order of the parts.
     Named(&'static str, &'static [Part]),
     /// A row of the text that begins with numbers.
@@ -44,6 +48,8 @@ pub(crate) enum Part {
     RotationVector(AngleUnit),
     /// Three numbers of an axis, and the angle.
     AxisAngle(Unit),
+    /// The same under a name that others use of a quaternion: the axis has length 1, and the four have not.
+    UnitAxisAngle(Unit),
     /// The angle, and three numbers of an axis.
     AngleAxis(Unit),
     /// Nine numbers row by row.
@@ -74,6 +80,21 @@ pub(crate) struct Angles {
     pub(crate) places: [usize; 3],
     /// The sign of each angle of the sequence.
     pub(crate) signs: [f64; 3],
+    /// What the letters of a sequence that the text names say of its axes.
+    pub(crate) letters: Letters,
+}
+
+/// Which letters of a sequence in a text are axes that move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Letters {
+    /// Capitals, as in `SciPy`.
+    CapitalsMove,
+    /// Small letters, as in `MuJoCo`.
+    SmallMove,
+    /// All of them, as in three.js.
+    AllMove,
+    /// None of them, as in Blender.
+    AllFixed,
 }
 
 impl Angles {
@@ -84,11 +105,16 @@ impl Angles {
             unit,
             places: [0, 1, 2],
             signs: [1.0; 3],
+            letters: Letters::CapitalsMove,
         }
     }
 
     pub(crate) const fn placed(self, places: [usize; 3]) -> Self {
         Self { places, ..self }
+    }
+
+    pub(crate) const fn lettered(self, letters: Letters) -> Self {
+        Self { letters, ..self }
     }
 
     pub(crate) const fn signed(self, signs: [f64; 3]) -> Self {
@@ -105,7 +131,10 @@ impl Part {
             }
             Self::Time | Self::Nanoseconds => 1,
             Self::Position | Self::Scale | Self::Euler(_) | Self::RotationVector(_) => 3,
-            Self::Quaternion(_) | Self::AxisAngle(_) | Self::AngleAxis(_) => 4,
+            Self::Quaternion(_)
+            | Self::AxisAngle(_)
+            | Self::UnitAxisAngle(_)
+            | Self::AngleAxis(_) => 4,
             Self::Rows | Self::Columns => 9,
         }
     }

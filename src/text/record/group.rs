@@ -71,6 +71,7 @@ impl<'t> Quantities<'t> {
     fn collect(&mut self, members: &[Member<'t>], path: &[&'t str], holder: Holder) {
         let scope = self.scopes;
         self.scopes += 1;
+        let rows_are_alike = holder == Holder::Lines || are_alike(members);
         let mut at = 0;
         while let Some(member) = members.get(at) {
             let within = |key: &'t str| {
@@ -95,7 +96,7 @@ impl<'t> Quantities<'t> {
                     });
                     at += run.len();
                 }
-                Kind::Scope => match alike(rest) {
+                Kind::Scope => match alike(if rows_are_alike { rest } else { &rest[..1] }) {
                     Some((count, numbers, rows)) => {
                         let alike = &rest[..count];
                         self.groups.push(Group {
@@ -204,6 +205,17 @@ fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
     Some((count, numbers, rows))
 }
 
+/// Whether all brackets in a bracket hold as many numbers: `[[1, 2], [3, 4, 5]]` has no rows.
+fn are_alike(members: &[Member<'_>]) -> bool {
+    let mut lengths = members
+        .iter()
+        .filter(|member| member.key.is_empty())
+        .filter_map(pure)
+        .map(|(numbers, _)| numbers.len());
+    let first = lengths.next();
+    lengths.all(|length| Some(length) == first)
+}
+
 /// The numbers of a bracket that holds nothing else, row by row.
 fn pure(member: &Member<'_>) -> Option<(Vec<f64>, Vec<usize>)> {
     let members = &member.members;
@@ -263,6 +275,13 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
         before = mark;
     }
     words
+}
+
+/// The names in a key as they are written, in small letters: `CFrame.new` is cframe, new.
+pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
+    key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
+        .filter(|name| !name.is_empty())
+        .map(str::to_lowercase)
 }
 
 /// The name of a single number, and what stands before it: `pose.orientation.x` is x of pose, orientation.

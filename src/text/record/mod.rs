@@ -30,12 +30,13 @@ mod scan;
 mod table;
 
 use crate::convention::angle::AngleUnit;
+use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
 use crate::text::record::find::{Context, Found, found};
 use crate::text::record::format::{Field, Format};
-use crate::text::record::group::{Quantities, Value, words_of};
+use crate::text::record::group::{Quantities, Value, identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::scan::scan;
@@ -107,20 +108,24 @@ pub(crate) fn record(
     }
     let words: BTreeSet<String> = tokens
         .iter()
-        .flat_map(|token| words_of(token.text))
+        .flat_map(|token| {
+            words_of(token.text)
+                .into_iter()
+                .chain(identifiers_of(token.text))
+        })
         .collect();
     let formats: Vec<&'static Format> = formats
         .iter()
         .flat_map(|family| family.iter())
         .filter(|format| is_marked(format, &words))
         .collect();
-    let (order, unit, sequence) = settings(&quantities.values);
+    let settings = Settings::of(&quantities.values);
     let context = Context {
         formats,
         declared,
-        order,
-        unit,
-        sequence,
+        order: settings.order,
+        unit: settings.unit,
+        letters: settings.letters,
     };
     let all = found(&quantities, &context, plain);
     let rotations = all.iter().filter_map(rotation).collect();
@@ -176,36 +181,44 @@ fn beside(found: &Found) -> Option<Beside> {
 }
 
 /// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
-fn settings(
-    values: &[Value<'_>],
-) -> (
-    Option<ComponentOrder>,
-    Option<AngleUnit>,
-    Option<crate::convention::euler_sequence::EulerSequence>,
-) {
-    let mut order = None;
-    let mut unit = None;
-    let mut sequence = None;
-    for value in values {
+#[derive(Default)]
+struct Settings {
+    order: Option<ComponentOrder>,
+    unit: Option<AngleUnit>,
+    letters: Option<String>,
+}
+
+impl Settings {
+    fn of(values: &[Value<'_>]) -> Self {
+        let mut settings = Self::default();
+        for value in values {
+            settings.take(value);
+        }
+        settings
+    }
+
+    fn take(&mut self, value: &Value<'_>) {
         let key = words_of(value.key);
         let is = |names: &[&str]| {
             key.last()
                 .is_some_and(|last| names.contains(&last.as_str()))
         };
         if is(&["order", "format", "convention", "layout", "components"]) {
-            order = order.or_else(|| order_in_name(value.text));
+            self.order = self.order.or_else(|| order_in_name(value.text));
         }
         if is(&["angle", "unit", "units", "angles", "degrees"]) {
             let word = value.text.to_ascii_lowercase();
-            unit = unit.or_else(|| match (word.as_str(), is(&["degrees"])) {
-                ("true" | "1", true) => Some(AngleUnit::Degrees),
-                ("false" | "0", true) => Some(AngleUnit::Radians),
-                _ => AngleUnit::named(&word),
-            });
+            self.unit = self
+                .unit
+                .or_else(|| match (word.as_str(), is(&["degrees"])) {
+                    ("true" | "1", true) => Some(AngleUnit::Degrees),
+                    ("false" | "0", true) => Some(AngleUnit::Radians),
+                    _ => AngleUnit::named(&word),
+                });
         }
-        if is(&["order", "sequence", "seq", "eulerseq", "axes"]) {
-            sequence = sequence.or_else(|| value.text.parse().ok());
+        if is(&["order", "sequence", "seq", "eulerseq", "axes"]) && self.letters.is_none() {
+            let is_sequence = value.text.parse::<EulerSequence>().is_ok();
+            self.letters = is_sequence.then(|| value.text.to_owned());
         }
     }
-    (order, unit, sequence)
 }

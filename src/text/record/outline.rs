@@ -371,7 +371,7 @@ impl<'t> Builder<'t> {
         let starts_numbers = matches!(first, Some(Mark::Number(_) | Mark::Open));
         let is_heading = is_heading(rest);
         let announces = !self.pending.words.is_empty();
-        if announces && (self.pending.is_label() || starts_numbers || self.is_typed()) {
+        if announces && (self.pending.is_label() || starts_numbers) {
             let key = self.key();
             let own = self.indent_of(key);
             let takes_same = indent <= own;
@@ -393,14 +393,6 @@ impl<'t> Builder<'t> {
         if !starts_numbers {
             self.leave(indent, is_heading);
         }
-    }
-
-    /// Whether a heading ends in a type: `body_T_cam: !!opencv-matrix`.
-    fn is_typed(&self) -> bool {
-        self.pending
-            .words
-            .last()
-            .is_some_and(|word| word.text.contains("opencv"))
     }
 
     /// The place of a piece of the text; of nothing, the beginning.
@@ -446,9 +438,5 @@ fn is_heading(tokens: &[Token<'_>]) -> bool {
     let words = line
         .iter()
         .all(|mark| matches!(mark, Mark::Word | Mark::Label));
-    let typed = tokens
-        .iter()
-        .take(line.len())
-        .any(|token| token.text.contains("opencv"));
-    words && (line.last() == Some(&Mark::Label) || typed)
+    words && line.last() == Some(&Mark::Label)
 }

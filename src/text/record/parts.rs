@@ -1,13 +1,13 @@
 //! Numbers to a rotation and what stands beside it, as a list of parts says.
 
 use crate::convention::angle::{AngleUnit, UnitSource, degrees_in_radians, turn_in_radians};
-use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
 };
-use crate::text::record::format::{Angles, Part, Unit};
+use crate::text::record::format::{Angles, Letters, Part, Unit};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 /// Entries of two decimals are off by less.
@@ -21,11 +21,14 @@ const FULL_TURN_RAD: f64 = 6.29;
 
 /// What the words of a text say of the numbers of a part.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Said {
+pub(crate) struct Said<'s> {
     /// The order of four numbers, and how it was told.
     pub(crate) order: (ComponentOrder, OrderSource),
     pub(crate) unit: Option<AngleUnit>,
+    /// The sequence that a name tells.
     pub(crate) sequence: Option<EulerSequence>,
+    /// The letters of a sequence that is told beside the numbers.
+    pub(crate) letters: Option<&'s str>,
 }
 
 /// What a part is.
@@ -41,7 +44,7 @@ pub(crate) enum Made {
 
 /// What numbers are of which these are the parts; `None` where they are not: a quaternion that is not of
 /// norm 1, a matrix that is no rotation.
-pub(crate) fn made(parts: &[Part], numbers: &[f64], said: Said) -> Option<Vec<Made>> {
+pub(crate) fn made(parts: &[Part], numbers: &[f64], said: Said<'_>) -> Option<Vec<Made>> {
     let mut rest = numbers;
     let mut found = Vec::new();
     for part in parts {
@@ -57,7 +60,7 @@ pub(crate) fn made(parts: &[Part], numbers: &[f64], said: Said) -> Option<Vec<Ma
     rest.is_empty().then_some(found)
 }
 
-fn one(part: Part, numbers: &[f64], said: Said) -> Option<Made> {
+fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
     let three = || <[f64; 3]>::try_from(numbers).ok();
     Some(match part {
         Part::Skip(_) => Made::Nothing,
@@ -76,6 +79,20 @@ fn one(part: Part, numbers: &[f64], said: Said) -> Option<Made> {
             Made::Rotation(rotation_vector(three()?, UnitSource::Written(unit)))
         }
         Part::AxisAngle(unit) => axis_angle(&numbers[..3], numbers[3], unit, said)?,
+        Part::UnitAxisAngle(unit) => {
+            let length = |numbers: &[f64]| {
+                numbers
+                    .iter()
+                    .map(|number| number * number)
+                    .sum::<f64>()
+                    .sqrt()
+            };
+            let is_it = (length(&numbers[..3]) - 1.0).abs() <= NEARLY_UNIT
+                && (length(numbers) - 1.0).abs() > NEARLY_UNIT;
+            is_it
+                .then(|| axis_angle(&numbers[..3], numbers[3], unit, said))
+                .flatten()?
+        }
         Part::AngleAxis(unit) => axis_angle(&numbers[1..], numbers[0], unit, said)?,
         Part::Rows => Made::Rotation(ParsedRotation::Matrix(orthonormal(
             Matrix3::from_row_slice(numbers),
@@ -103,10 +120,11 @@ pub(crate) fn quaternion(
     }))
 }
 
-fn euler(numbers: [f64; 3], angles: Angles, said: Said) -> Option<ParsedRotation> {
-    let sequence: EulerSequence = match said.sequence {
-        Some(sequence) => sequence,
-        None => angles.sequence.parse().ok()?,
+fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRotation> {
+    let sequence: EulerSequence = match (said.sequence, said.letters) {
+        (Some(sequence), _) => sequence,
+        (None, Some(letters)) => told_sequence(letters, angles.letters)?,
+        (None, None) => angles.sequence.parse().ok()?,
     };
     let in_order = angles.places.map(|place| numbers[place]);
     let unit = unit(angles.unit, &in_order, said);
@@ -121,8 +139,23 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said) -> Option<ParsedRotation
     }))
 }
 
+/// The sequence that letters are, by what they say of the axes.
+fn told_sequence(written: &str, letters: Letters) -> Option<EulerSequence> {
+    let sequence: EulerSequence = written.parse().ok()?;
+    let frame = match (letters, sequence.frame) {
+        (Letters::CapitalsMove, frame) => frame,
+        (Letters::AllMove, _) | (Letters::SmallMove, EulerFrame::Extrinsic) => {
+            EulerFrame::Intrinsic
+        }
+        (Letters::AllFixed, _) | (Letters::SmallMove, EulerFrame::Intrinsic) => {
+            EulerFrame::Extrinsic
+        }
+    };
+    Some(EulerSequence { frame, ..sequence })
+}
+
 /// The unit of angles: a word in the text, then the format's, then their size.
-fn unit(unit: Unit, angles: &[f64], said: Said) -> UnitSource {
+fn unit(unit: Unit, angles: &[f64], said: Said<'_>) -> UnitSource {
     let is_small = angles.iter().all(|angle| angle.abs() <= FULL_TURN_RAD);
     match (unit, said.unit) {
         (Unit::Always(unit), _) | (_, Some(unit)) | (Unit::Usually(unit), None) => {
@@ -151,7 +184,7 @@ pub(crate) fn rotation_vector(numbers: [f64; 3], unit: UnitSource) -> ParsedRota
     })
 }
 
-fn axis_angle(axis: &[f64], angle: f64, unit_of_format: Unit, said: Said) -> Option<Made> {
+fn axis_angle(axis: &[f64], angle: f64, unit_of_format: Unit, said: Said<'_>) -> Option<Made> {
     let axis = Vector3::from_column_slice(axis);
     let unit = unit(unit_of_format, &[angle], said);
     (axis.amax() > 0.0).then(|| {

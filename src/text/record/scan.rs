@@ -139,6 +139,19 @@ impl<'t> Scanner<'t> {
         self.push(Mark::Line(indent), length);
         let prompt = prompt(inside);
         self.at += prompt;
+        // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
+        let rest = self.rest();
+        let name = name(rest);
+        let is_record = name > 1
+            && rest[..name]
+                .bytes()
+                .all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_')
+            && rest.starts_with(|first: char| first.is_ascii_uppercase())
+            && rest[name..].starts_with(',');
+        if is_record {
+            self.push(Mark::Word, name);
+            self.push(Mark::Label, 1);
+        }
         if self.rest().starts_with("---") || self.rest().starts_with("===") {
             let run = self.rest();
             let rule = run.len() - run.trim_start_matches(['-', '=']).len();
@@ -169,6 +182,12 @@ impl<'t> Scanner<'t> {
                 self.line();
             }
             '\\' if second == '\n' => self.at += 2,
+            // A type of YAML: `!!opencv-matrix`.
+            '!' if second == '!' => {
+                let tag = rest.find(char::is_whitespace).unwrap_or(rest.len());
+                self.at += tag;
+            }
+            '*' if is_checksum(rest) => self.at += 3,
             _ if first.is_whitespace() => self.at += first.len_utf8(),
             '0'..='9' => self.number(0),
             '.' if second.is_ascii_digit() => self.number(0),
@@ -178,7 +197,6 @@ impl<'t> Scanner<'t> {
             ')' | ']' | '}' => self.push(Mark::Close, 1),
             '<' => self.angle(),
             '/' if second == '>' => self.push(Mark::TagClose, 2),
-            '-' if second == '>' => self.push(Mark::Label, 2),
             '=' if second == '>' => self.push(Mark::Label, 2),
             '=' if second == '=' => self.push(Mark::Operator, 2),
             ':' | '=' => self.push(Mark::Label, 1),
@@ -256,6 +274,9 @@ impl<'t> Scanner<'t> {
             Some(Mark::Number(_) | Mark::Close) => self.push(Mark::Operator, length),
             _ if is_number => self.number(length),
             _ if next.is_whitespace()
+                && after
+                    .trim_start()
+                    .starts_with(|mark: char| mark.is_ascii_digit() || ".(+-".contains(mark))
                 && matches!(
                     self.tokens.last(),
                     Some(Token {
@@ -432,6 +453,15 @@ impl<'t> Scanner<'t> {
             self.at += 1;
         }
     }
+}
+
+/// Whether the checksum of a sentence follows: `*48`.
+fn is_checksum(text: &str) -> bool {
+    let digits = text.get(1..3).unwrap_or("");
+    let ends = text
+        .get(3..)
+        .is_none_or(|rest| !rest.starts_with(char::is_alphanumeric));
+    ends && digits.len() == 2 && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
 /// How many bytes at the start are a name.

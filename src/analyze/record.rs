@@ -33,7 +33,11 @@ pub(crate) fn of_record(
     for found in record.rotations.iter().filter(|found| !found.is_derived) {
         let parsed = RotationText {
             rotation: found.rotation.clone(),
-            row_marks: RowMarks::Lines,
+            row_marks: if found.has_rows {
+                RowMarks::Lines
+            } else {
+                RowMarks::None
+            },
         };
         match Attitude::of_parsed(parsed, text, declared) {
             Ok(attitude) => read.push((found, attitude)),
@@ -97,9 +101,9 @@ pub(crate) fn of_record(
     if found.by_columns {
         told.push(Fact::ColumnsFromText);
     }
-    if let Some(format) = found.assumed_format {
+    if let Some(format) = found.format.filter(|format| format.marks.is_empty()) {
         told.push(Fact::FormatAssumed(FormatAssumed {
-            format: format.to_owned(),
+            format: format.name.to_owned(),
         }));
     }
     let attitude = match plain {
@@ -148,7 +152,7 @@ fn found_in_text(
                 .then(|| body_in_world(beside.numbers, attitude, declared)),
         })
         .collect();
-    let format = record.format.map(|format| format.name.to_owned());
+    let format = found.format.map(|format| format.name.to_owned());
     let is_told = !beside.is_empty() || format.is_some();
     is_told.then(|| {
         Fact::FoundInText(FoundInText {

@@ -8,7 +8,7 @@ pub(crate) const AUTOPILOTS: &[Format] = &[
     Format {
         id: "mavlink-attitude-quaternion",
         name: "MAVLink",
-        marks: &["attitude quaternion|attitude target|mavlink|time boot ms"],
+        marks: &["attitude_quaternion|attitude_target|mavlink|time_boot_ms"],
         order: Some(ScalarFirst),
         fields: &[Field::Named(
             "q1 q2 q3 q4",
@@ -19,7 +19,7 @@ pub(crate) const AUTOPILOTS: &[Format] = &[
     Format {
         id: "px4-vehicle-attitude",
         name: "PX4",
-        marks: &["vehicle attitude|delta q reset"],
+        marks: &["vehicle_attitude|delta_q_reset"],
         order: Some(ScalarFirst),
         fields: &[],
     },

@@ -25,18 +25,6 @@ pub(crate) const CAMERAS: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[],
     },
-    // `timestamp tx ty tz qx qy qz qw` (TUM RGB-D benchmark, file formats).
-    Format {
-        id: "tum-rgbd-trajectory",
-        name: "TUM trajectory",
-        marks: &[],
-        order: None,
-        fields: &[Field::Row(&[
-            Part::Time,
-            Part::Position,
-            Part::Quaternion(Some(ScalarLast)),
-        ])],
-    },
     // `nanoseconds,px,py,pz,qw,qx,qy,qz,…` (EuRoC MAV dataset, state_groundtruth_estimate0).
     Format {
         id: "euroc-groundtruth",
@@ -44,18 +32,30 @@ pub(crate) const CAMERAS: &[Format] = &[
         marks: &[],
         order: None,
         fields: &[
-            Field::Row(&[
+            Field::CommaRow(&[
                 Part::Nanoseconds,
                 Part::Position,
                 Part::Quaternion(Some(ScalarFirst)),
             ]),
-            Field::Row(&[
+            Field::CommaRow(&[
                 Part::Nanoseconds,
                 Part::Position,
                 Part::Quaternion(Some(ScalarFirst)),
                 Part::Skip(9),
             ]),
         ],
+    },
+    // `timestamp tx ty tz qx qy qz qw` (TUM RGB-D benchmark, file formats).
+    Format {
+        id: "tum-rgbd-trajectory",
+        name: "TUM trajectory",
+        marks: &[],
+        order: None,
+        fields: &[Field::Row(&[
+            Part::Skip(1),
+            Part::Position,
+            Part::Quaternion(Some(ScalarLast)),
+        ])],
     },
     // Twelve numbers row by row, perhaps the number of the frame before them (KITTI odometry, poses).
     Format {

@@ -33,8 +33,8 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "godot",
         name: "Godot",
-        marks: &["transform3d|transform|basis"],
-        order: Some(ScalarLast),
+        marks: &["transform3d|transform|basis|godot"],
+        order: None,
         fields: &[
             Field::Under("Transform3D|Transform", &[Part::Rows, Part::Position]),
             Field::Under("Basis", &[Part::Rows]),
@@ -62,6 +62,25 @@ pub(crate) const ENGINES: &[Format] = &[
             ),
         ],
     },
+    // Column by column (GLM, `to_string`).
+    Format {
+        id: "glm",
+        name: "GLM",
+        marks: &["mat3x3|mat4x4|dmat3x3|dmat4x4|mat3|mat4"],
+        order: None,
+        fields: &[
+            Field::Under("mat3x3|dmat3x3|mat3", &[Part::Columns]),
+            Field::Under("mat4x4|dmat4x4|mat4", &[Part::HomogeneousColumns(16)]),
+        ],
+    },
+    // Twelve numbers, the x axis first and the translation last (3MF, transform).
+    Format {
+        id: "3mf",
+        name: "3MF",
+        marks: &["<item|<component", "transform"],
+        order: None,
+        fields: &[Field::Under("transform", &[Part::HomogeneousColumns(12)])],
+    },
     // Position first, then nine numbers row by row (Roblox, CFrame.new).
     Format {
         id: "roblox-cframe",
@@ -81,7 +100,7 @@ pub(crate) const ENGINES: &[Format] = &[
         order: None,
         fields: &[Field::Under(
             "rotation",
-            &[Part::AxisAngle(Unit::Usually(Radians))],
+            &[Part::UnitAxisAngle(Unit::Usually(Radians))],
         )],
     },
     // Four numbers by name: x y z w; the axis and the angle in radians beside them (FreeCAD, Placement).
@@ -110,7 +129,9 @@ pub(crate) const ENGINES: &[Format] = &[
             "Euler|rotation",
             "x y z",
             &[Part::Euler(
-                Angles::new("XYZ", Unit::Usually(Radians)).lettered(Letters::AllMove),
+                Angles::new("XYZ", Unit::Usually(Radians))
+                    .by_axis()
+                    .lettered(Letters::AllMove),
             )],
         )],
     },
@@ -124,7 +145,9 @@ pub(crate) const ENGINES: &[Format] = &[
             "Euler",
             "x y z",
             &[Part::Euler(
-                Angles::new("xyz", Unit::Usually(Radians)).lettered(Letters::AllFixed),
+                Angles::new("xyz", Unit::Usually(Radians))
+                    .by_axis()
+                    .lettered(Letters::AllFixed),
             )],
         )],
     },

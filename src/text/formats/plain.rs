@@ -21,7 +21,7 @@ pub(crate) const PLAIN: &[Field] = &[
         ],
     ),
     // Unreal's rotator as it prints itself.
-    Field::Named("p y r", &[ROTATOR]),
+    Field::OnlyNamed("p y r", &[ROTATOR]),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
@@ -42,6 +42,8 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("rw rx ry rz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q1 q2 q3 q4", &[Part::Quaternion(None)]),
     Field::Named("roll pitch yaw", &[ROLL_PITCH_YAW]),
+    // Heading, pitch and roll as in OpenDRIVE and OpenSCENARIO.
+    Field::Named("r p h", &[ROLL_PITCH_YAW]),
     Field::Named("roll pitch heading", &[ROLL_PITCH_YAW]),
     Field::Named("bank pitch heading", &[ROLL_PITCH_YAW]),
     Field::Named("x y z", &[Part::Position]),

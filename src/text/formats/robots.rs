@@ -10,6 +10,9 @@ const ZYX: Part = Part::Euler(Angles::new("ZYX", Unit::Usually(Degrees)));
 /// Degrees about fixed x, y, z.
 const FIXED_XYZ: Part = Part::Euler(Angles::new("xyz", Unit::Usually(Degrees)));
 
+/// Degrees about moving x, y, z.
+const XYZ: Part = Part::Euler(Angles::new("XYZ", Unit::Usually(Degrees)));
+
 /// Degrees about moving z, y, z.
 const ZYZ: Part = Part::Euler(Angles::new("ZYZ", Unit::Usually(Degrees)));
 
@@ -39,6 +42,17 @@ pub(crate) const ROBOTS: &[Format] = &[
         order: None,
         fields: &[Field::Named("w p r", &[FIXED_XYZ])],
     },
+    // `posx(x, y, z, a, b, c)`: about moving z, y, z, degrees (Doosan).
+    Format {
+        id: "doosan-abc",
+        name: "Doosan",
+        marks: &["posx|doosan"],
+        order: None,
+        fields: &[
+            Field::Under("posx", &[Part::Position, ZYZ]),
+            Field::Named("a b c", &[ZYZ]),
+        ],
+    },
     // `movel(p[x, y, z, rx, ry, rz])`: metres and a rotation vector in radians (Universal Robots).
     Format {
         id: "universal-robots-pose",
@@ -61,6 +75,14 @@ pub(crate) const ROBOTS: &[Format] = &[
             &[Part::Quaternion(Some(ScalarFirst))],
         )],
     },
+    // `MovePose(x, y, z, alpha, beta, gamma)`: about moving x, y, z, degrees (Mecademic).
+    Format {
+        id: "staubli-rxryrz",
+        name: "Mecademic",
+        marks: &["movepose|movelin|mecademic|setwrf|settrf"],
+        order: None,
+        fields: &[Field::Any(&[Part::Position, XYZ])],
+    },
     // `O A T` about moving z, y, z, degrees (Kawasaki).
     Format {
         id: "kawasaki-oat",
@@ -68,17 +90,6 @@ pub(crate) const ROBOTS: &[Format] = &[
         marks: &["o", "a", "t"],
         order: None,
         fields: &[Field::Named("o a t", &[ZYZ])],
-    },
-    // `posx(x, y, z, a, b, c)`: about moving z, y, z, degrees (Doosan).
-    Format {
-        id: "doosan-abc",
-        name: "Doosan",
-        marks: &["posx|doosan"],
-        order: None,
-        fields: &[
-            Field::Under("posx", &[Part::Position, ZYZ]),
-            Field::Named("a b c", &[ZYZ]),
-        ],
     },
     // A about x, B about y, C about z, fixed, degrees (Mitsubishi MELFA).
     Format {

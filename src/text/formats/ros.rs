@@ -16,7 +16,7 @@ pub(crate) const ROS: &[Format] = &[
     Format {
         id: "ros-static-transform",
         name: "static_transform_publisher",
-        marks: &["static transform publisher|args|arguments"],
+        marks: &["static_transform_publisher"],
         order: Some(ScalarLast),
         fields: &[
             Field::Under(
@@ -33,7 +33,7 @@ pub(crate) const ROS: &[Format] = &[
     Format {
         id: "urdf-origin",
         name: "URDF",
-        marks: &["origin", "rpy"],
+        marks: &["<origin"],
         order: None,
         fields: &[Field::Under("rpy", &[ROLL_PITCH_YAW])],
     },
@@ -42,7 +42,7 @@ pub(crate) const ROS: &[Format] = &[
     Format {
         id: "sdformat-pose",
         name: "SDFormat",
-        marks: &["pose"],
+        marks: &["<pose"],
         order: None,
         fields: &[
             Field::Under("pose", &[Part::Position, ROLL_PITCH_YAW]),
@@ -84,7 +84,7 @@ pub(crate) const ROS: &[Format] = &[
         id: "mujoco-mjcf",
         name: "MuJoCo",
         marks: &[
-            "body|geom|site|camera|frame|inertial|compiler|joint",
+            "<body|<geom|<site|<camera|<frame|<inertial|<compiler|<joint|<freejoint|<key|<default",
             "quat|euler|axisangle|xyaxes|zaxis",
         ],
         order: Some(ScalarFirst),

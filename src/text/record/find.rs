@@ -5,6 +5,7 @@ use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
+use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::record::format::{Angles, Field, Format, Part, Unit};
 use crate::text::record::group::{Group, Named, Quantities, identifiers_of, words_of};
 use crate::text::record::meaning::{Meaning, Role};
@@ -21,13 +22,15 @@ pub(crate) struct Found {
     pub(crate) is_derived: bool,
     /// Whether a sign that computes stands at it.
     pub(crate) is_computed: bool,
-    /// The format that no word marks, as which the numbers alone pass.
-    pub(crate) assumed_format: Option<&'static str>,
+    /// The format that said it; one that no word marks is only assumed.
+    pub(crate) format: Option<&'static Format>,
+    /// What divides the rows of nine numbers.
+    pub(crate) has_rows: bool,
 }
 
 /// What a text says for all its quantities.
-pub(crate) struct Context<'f> {
-    pub(crate) formats: Vec<&'f Format>,
+pub(crate) struct Context {
+    pub(crate) formats: Vec<&'static Format>,
     pub(crate) declared: ComponentOrder,
     /// The order that the text tells once for all.
     pub(crate) order: Option<ComponentOrder>,
@@ -36,15 +39,21 @@ pub(crate) struct Context<'f> {
     pub(crate) letters: Option<String>,
 }
 
-impl Context<'_> {
+impl Context {
     /// The order of four numbers whose names say this.
     fn order(&self, meaning: &Meaning) -> (ComponentOrder, OrderSource) {
-        let of_formats = self.formats.iter().find_map(|format| format.order);
+        let of_formats = self.ordering().and_then(|format| format.order);
         match (meaning.order.or(self.order), of_formats) {
             (Some(order), _) => (order, OrderSource::Label),
             (None, Some(order)) => (order, OrderSource::Format),
             (None, None) => (self.declared, OrderSource::Declared),
         }
+    }
+
+    /// The format that says the order of four numbers.
+    fn ordering(&self) -> Option<&'static Format> {
+        let mut formats = self.formats.iter().copied();
+        formats.find(|format| format.order.is_some())
     }
 
     fn said(&self, meaning: &Meaning) -> Said<'_> {
@@ -57,24 +66,21 @@ impl Context<'_> {
     }
 }
 
-/// A field, and the format of which it is where no word marks that.
-type Asked<'f> = (&'f Field, Option<&'static str>);
+/// A field, and the format of which it is.
+type Asked = (&'static Field, Option<&'static Format>);
 
 /// All that is understood of the quantities of a text.
 pub(crate) fn found(
     quantities: &Quantities<'_>,
-    context: &Context<'_>,
-    plain: &[Field],
+    context: &Context,
+    plain: &'static [Field],
 ) -> Vec<Found> {
     let mut all = Vec::new();
-    let unmarked = |format: &&Format| format.marks.is_empty();
-    let fields: Vec<Asked<'_>> = context
+    let fields: Vec<Asked> = context
         .formats
         .iter()
-        .flat_map(|format| {
-            let assumed = unmarked(format).then_some(format.name);
-            format.fields.iter().map(move |field| (field, assumed))
-        })
+        .copied()
+        .flat_map(|format| format.fields.iter().map(move |field| (field, Some(format))))
         .chain(plain.iter().map(|field| (field, None)))
         .collect();
     for group in &quantities.groups {
@@ -98,21 +104,36 @@ fn label_of(path: &[&str]) -> String {
         .to_owned()
 }
 
-fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> Vec<Found> {
+fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
     let meaning = Meaning::of(&group.path);
-    let said = context.said(&meaning);
-    let of_fields = fields.iter().find_map(|(field, assumed)| {
+    let said = Said {
+        unit: group.unit.or(meaning.unit).or(context.unit),
+        ..context.said(&meaning)
+    };
+    let of_fields = fields.iter().find_map(|(field, format)| {
         let (is_it, parts) = match field {
             Field::Under(names, parts) => (stands_under(&group.path, names), parts),
             Field::Any(parts) => (true, parts),
-            Field::Row(parts) => (group.path.iter().all(|key| key.is_empty()), parts),
-            Field::Named(..) | Field::NamedUnder(..) => return None,
+            Field::Row(parts) => (is_bare(group), parts),
+            Field::CommaRow(parts) => (is_bare(group) && group.has_commas, parts),
+            Field::Named(..) | Field::NamedUnder(..) | Field::OnlyNamed(..) => return None,
         };
         let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
-        Some((made, *assumed))
+        Some((made, *format))
     });
-    let (made, assumed_format) =
-        of_fields.unwrap_or_else(|| (by_name(group, &meaning, said), None));
+    let (made, format) = of_fields.unwrap_or_else(|| {
+        let made = by_name(group, &meaning, said);
+        let is_ordered = made.iter().any(|made| {
+            matches!(
+                made,
+                Made::Rotation(ParsedRotation::Quaternion(ParsedQuaternion {
+                    order_source: OrderSource::Format,
+                    ..
+                }))
+            )
+        });
+        (made, is_ordered.then(|| context.ordering()).flatten())
+    });
     made.into_iter()
         .map(|made| Found {
             made,
@@ -120,23 +141,29 @@ fn of_group(group: &Group<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
             span: group.span,
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: group.is_computed,
-            assumed_format,
+            format,
+            has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
         })
         .collect()
 }
 
-/// Whether one of these names stands over numbers; a letter alone only as it is.
+fn is_bare(group: &Group<'_>) -> bool {
+    group.path.iter().all(|key| key.is_empty())
+}
+
+/// Whether one of these names stands next over numbers; a letter alone only as it is.
 fn stands_under(path: &[&str], names: &str) -> bool {
+    let Some(key) = path.iter().rev().find(|key| !key.is_empty()) else {
+        return false;
+    };
     names.split('|').any(|name| {
         let lower = name.to_lowercase();
         let parts = words_of(name);
-        path.iter().any(|key| {
-            identifiers_of(key).any(|own| own == lower)
-                || (name.len() > 1
-                    && words_of(key)
-                        .windows(parts.len().max(1))
-                        .any(|own| own == parts))
-        })
+        identifiers_of(key).any(|own| own == lower)
+            || (name.len() > 1
+                && words_of(key)
+                    .windows(parts.len().max(1))
+                    .any(|own| own == parts))
     })
 }
 
@@ -159,7 +186,7 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             let angles = Angles::new("ZYX", Unit::BySize);
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
-        (3, Some(Role::RotationVector | Role::AxisAngle)) => {
+        (3, Some(Role::RotationVector)) => {
             let unit = said
                 .unit
                 .map_or(UnitSource::Assumed(AngleUnit::Radians), UnitSource::Written);
@@ -202,14 +229,17 @@ fn only<const COUNT: usize>(readings: [Option<Vec<Made>>; COUNT]) -> Option<Vec<
     found.next().is_none().then_some(first)
 }
 
-fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> Vec<Found> {
+fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
     let mut path = named.path.clone();
     path.push(&named.stem);
     let meaning = Meaning::of(&path);
     let mut left: Vec<&_> = named.members.iter().collect();
     let mut all = Vec::new();
-    for (field, _) in fields {
+    for (field, format) in fields {
         let (names, parts) = match field {
+            Field::OnlyNamed(names, parts) if named.members.len() == names.split(' ').count() => {
+                (names, parts)
+            }
             Field::Named(names, parts) => (names, parts),
             Field::NamedUnder(above, names, parts) if stands_under(&path, above) => (names, parts),
             _ => continue,
@@ -230,6 +260,8 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
         };
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
         let mut said = context.said(&meaning);
+        let unit = members.iter().find_map(|member| member.unit);
+        said.unit = unit.or(said.unit);
         let of_names = |order| (order, OrderSource::Named);
         if let [Part::Quaternion(Some(order))] = parts {
             said.order = of_names(*order);
@@ -256,7 +288,8 @@ fn of_named(named: &Named<'_>, context: &Context<'_>, fields: &[Asked<'_>]) -> V
             span,
             is_derived: meaning.role == Some(Role::Derived),
             is_computed: members.iter().any(|member| member.is_computed),
-            assumed_format: None,
+            format: *format,
+            has_rows: true,
         }));
     }
     all
@@ -310,14 +343,15 @@ fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> 
                 span: only.span,
                 is_derived: false,
                 is_computed: only.is_computed,
-                assumed_format: None,
+                format: None,
+                has_rows: true,
             })
         })
         .collect()
 }
 
 /// A scalar and a vector, each under its name: `real: 0.8, imag: (…)`.
-fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Option<Found> {
+fn split_quaternion(quantities: &Quantities<'_>, context: &Context) -> Option<Found> {
     let vector = quantities.groups.iter().find(|group| {
         group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector)
     })?;
@@ -344,12 +378,13 @@ fn split_quaternion(quantities: &Quantities<'_>, context: &Context<'_>) -> Optio
         span: scalar.span.to(vector.span),
         is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
         is_computed: vector.is_computed || scalar.is_computed,
-        assumed_format: None,
+        format: None,
+        has_rows: true,
     })
 }
 
 /// An axis and an angle, each under its name.
-fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Option<Found> {
+fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) -> Option<Found> {
     let role = |path: &[&str]| Meaning::of(path).role;
     let group = quantities
         .groups
@@ -387,6 +422,7 @@ fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context<'_>) -> Opti
         span: angle.span.to(axis_span),
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: angle.is_computed,
-        assumed_format: None,
+        format: None,
+        has_rows: true,
     })
 }

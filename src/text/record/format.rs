@@ -28,8 +28,12 @@ pub(crate) enum Field {
     NamedUnder(&'static str, &'static str, &'static [Part]),
     /// Single numbers with these names, which spaces divide, in the order of the parts.
     Named(&'static str, &'static [Part]),
+    /// The same, where these are all.
+    OnlyNamed(&'static str, &'static [Part]),
     /// A row of the text that begins with numbers.
     Row(&'static [Part]),
+    /// Such a row that commas divide.
+    CommaRow(&'static [Part]),
 }
 
 /// What the next numbers are.
@@ -77,11 +81,20 @@ pub(crate) struct Angles {
     pub(crate) sequence: &'static str,
     pub(crate) unit: Unit,
     /// Which of the numbers is the angle about each axis of the sequence.
-    pub(crate) places: [usize; 3],
+    pub(crate) places: Places,
     /// The sign of each angle of the sequence.
     pub(crate) signs: [f64; 3],
     /// What the letters of a sequence that the text names say of its axes.
     pub(crate) letters: Letters,
+}
+
+/// In which order angles stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Places {
+    /// In that of the sequence, or so: the place of each of its angles.
+    Listed([usize; 3]),
+    /// The angle about x, then y, then z, whatever the sequence is.
+    ByAxis,
 }
 
 /// Which letters of a sequence in a text are axes that move.
@@ -103,14 +116,24 @@ impl Angles {
         Self {
             sequence,
             unit,
-            places: [0, 1, 2],
+            places: Places::Listed([0, 1, 2]),
             signs: [1.0; 3],
             letters: Letters::CapitalsMove,
         }
     }
 
     pub(crate) const fn placed(self, places: [usize; 3]) -> Self {
-        Self { places, ..self }
+        Self {
+            places: Places::Listed(places),
+            ..self
+        }
+    }
+
+    pub(crate) const fn by_axis(self) -> Self {
+        Self {
+            places: Places::ByAxis,
+            ..self
+        }
     }
 
     pub(crate) const fn lettered(self, letters: Letters) -> Self {

@@ -1,5 +1,6 @@
 //! The tree of a text to its quantities: runs of numbers, and single numbers by name.
 
+use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
 use crate::text::record::outline::{Kind, Member};
 
@@ -17,6 +18,10 @@ pub(crate) struct Group<'t> {
     /// Whether a sign that computes stands at it or inside.
     pub(crate) is_computed: bool,
     pub(crate) follows_bar: bool,
+    /// The unit that stands behind one of the numbers.
+    pub(crate) unit: Option<AngleUnit>,
+    /// Whether commas divide the numbers.
+    pub(crate) has_commas: bool,
 }
 
 /// A word that is a value: `_order: 'XYZ'`.
@@ -46,6 +51,7 @@ pub(crate) struct NamedNumber {
     pub(crate) value: f64,
     pub(crate) span: Span,
     pub(crate) is_computed: bool,
+    pub(crate) unit: Option<AngleUnit>,
 }
 
 /// All quantities of a text.
@@ -107,6 +113,8 @@ impl<'t> Quantities<'t> {
                             scope,
                             is_computed: alike.iter().any(is_computed),
                             follows_bar: member.follows_bar,
+                            unit: alike.iter().find_map(unit),
+                            has_commas: true,
                         });
                         at += count;
                     }
@@ -130,6 +138,10 @@ impl<'t> Quantities<'t> {
 enum Holder {
     Lines,
     Bracket,
+}
+
+fn unit(member: &Member<'_>) -> Option<AngleUnit> {
+    member.unit.or_else(|| member.members.iter().find_map(unit))
 }
 
 fn is_computed(member: &Member<'_>) -> bool {
@@ -172,6 +184,8 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         scope,
         is_computed: false,
         follows_bar: run[0].follows_bar,
+        unit: run.iter().find_map(unit),
+        has_commas: run[1..].iter().any(|member| member.follows_comma),
     }
 }
 
@@ -328,6 +342,7 @@ fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
             value: group.numbers[0],
             span: group.span,
             is_computed: group.is_computed,
+            unit: group.unit,
         };
         let path = &group.path[..group.path.len() - 1];
         if let Some(last) = found.last_mut()

@@ -54,8 +54,10 @@ pub(crate) struct RecordRotation {
     pub(crate) span: Span,
     /// Whether its name says that it was made of a rotation, or a sign that computes stands at it.
     pub(crate) is_derived: bool,
-    /// The format that no word marks, as which the numbers alone pass.
-    pub(crate) assumed_format: Option<&'static str>,
+    /// The format that said it; one that no word marks is only assumed.
+    pub(crate) format: Option<&'static Format>,
+    /// What divides the rows of nine numbers.
+    pub(crate) has_rows: bool,
 }
 
 /// What else stands in a record.
@@ -76,8 +78,6 @@ pub(crate) struct Beside {
 /// What was found in a text.
 #[derive(Debug)]
 pub(crate) struct Record {
-    /// The format whose marks stand in the text.
-    pub(crate) format: Option<&'static Format>,
     pub(crate) rotations: Vec<RecordRotation>,
     pub(crate) beside: Vec<Beside>,
     /// The rows of a file where there are several.
@@ -112,6 +112,7 @@ pub(crate) fn record(
             words_of(token.text)
                 .into_iter()
                 .chain(identifiers_of(token.text))
+                .chain([token.text.to_lowercase()])
         })
         .collect();
     let formats: Vec<&'static Format> = formats
@@ -119,7 +120,16 @@ pub(crate) fn record(
         .flat_map(|family| family.iter())
         .filter(|format| is_marked(format, &words))
         .collect();
-    let settings = Settings::of(&quantities.values);
+    let mut settings = Settings::of(&quantities.values);
+    // `degrees='1'`
+    let numbers = quantities.named.iter().flat_map(|named| &named.members);
+    for number in numbers.filter(|number| number.name == "degrees") {
+        settings.unit = Some(if number.value == 1.0 {
+            AngleUnit::Degrees
+        } else {
+            AngleUnit::Radians
+        });
+    }
     let context = Context {
         formats,
         declared,
@@ -131,11 +141,6 @@ pub(crate) fn record(
     let rotations = all.iter().filter_map(rotation).collect();
     let beside = all.iter().filter_map(beside).collect();
     Record {
-        format: context
-            .formats
-            .iter()
-            .copied()
-            .find(|format| !format.marks.is_empty()),
         rotations,
         beside,
         rows,
@@ -163,7 +168,8 @@ fn rotation(found: &Found) -> Option<RecordRotation> {
         label: found.label.clone(),
         span: found.span,
         is_derived: found.is_derived || found.is_computed,
-        assumed_format: found.assumed_format,
+        format: found.format,
+        has_rows: found.has_rows,
     })
 }
 
@@ -205,6 +211,13 @@ impl Settings {
         };
         if is(&["order", "format", "convention", "layout", "components"]) {
             self.order = self.order.or_else(|| order_in_name(value.text));
+        }
+        if is(&["type"]) && key.iter().any(|word| word == "quaternion") {
+            self.order = self.order.or(match value.text {
+                "FIRST" => Some(ComponentOrder::ScalarFirst),
+                "LAST" => Some(ComponentOrder::ScalarLast),
+                _ => None,
+            });
         }
         if is(&["angle", "unit", "units", "angles", "degrees"]) {
             let word = value.text.to_ascii_lowercase();

@@ -1,5 +1,6 @@
 //! Tokens to a tree of what stands inside what: brackets, elements, lines below a heading.
 
+use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
 use crate::text::record::scan::{Mark, Token};
 
@@ -26,6 +27,10 @@ pub(crate) struct Member<'t> {
     pub(crate) is_computed: bool,
     /// Whether a bar or a line of dashes stands before it.
     pub(crate) follows_bar: bool,
+    /// The unit that stands behind a number.
+    pub(crate) unit: Option<AngleUnit>,
+    /// Whether a comma stands before it.
+    pub(crate) follows_comma: bool,
     /// Whether brackets or quotes hold it: its lines are of no meaning then.
     pub(crate) is_bracketed: bool,
 }
@@ -82,6 +87,7 @@ pub(crate) fn outline<'t>(text: &'t str, tokens: &[Token<'t>]) -> Vec<Member<'t>
         row: 0,
         is_computed: false,
         follows_bar: false,
+        follows_comma: false,
         factor: None,
     };
     for (at, token) in tokens.iter().enumerate() {
@@ -105,6 +111,8 @@ fn scope<'t>(key: &'t str, text: &'t str, span: Span, row: u32) -> Member<'t> {
         is_computed: false,
         follows_bar: false,
         is_bracketed: false,
+        unit: None,
+        follows_comma: false,
     }
 }
 
@@ -115,6 +123,7 @@ struct Builder<'t> {
     row: u32,
     is_computed: bool,
     follows_bar: bool,
+    follows_comma: bool,
     /// A factor of all the numbers that follow: `1.0e+03 *`.
     factor: Option<f64>,
 }
@@ -133,7 +142,10 @@ impl<'t> Builder<'t> {
             Mark::TagOpen => self.open(token, Opened::Element),
             Mark::Close => self.close_bracket(),
             Mark::TagClose => self.close_element(),
-            Mark::Comma => self.flush(),
+            Mark::Comma => {
+                self.flush();
+                self.follows_comma = true;
+            }
             Mark::Semicolon => {
                 self.flush();
                 self.row += 1;
@@ -165,6 +177,7 @@ impl<'t> Builder<'t> {
     fn add(&mut self, mut member: Member<'t>) {
         member.is_computed = std::mem::take(&mut self.is_computed);
         member.follows_bar = std::mem::take(&mut self.follows_bar);
+        member.follows_comma = std::mem::take(&mut self.follows_comma);
         self.inside().members.push(member);
     }
 
@@ -192,7 +205,38 @@ impl<'t> Builder<'t> {
     }
 
     fn word(&mut self, token: &Token<'t>) {
+        if self.pending.words.is_empty() && self.take_unit(token) {
+            return;
+        }
         self.pending.words.push(*token);
+    }
+
+    /// A unit behind a number, which is no name of the next one.
+    fn take_unit(&mut self, token: &Token<'t>) -> bool {
+        let row = self.row;
+        let Some(member) = self.inside().members.last_mut() else {
+            return false;
+        };
+        let Kind::Number(value) = member.kind else {
+            return false;
+        };
+        if member.row != row {
+            return false;
+        }
+        let word = token.text.to_lowercase();
+        let (factor, unit) = match word.as_str() {
+            "turn" | "turns" => (360.0, Some(AngleUnit::Degrees)),
+            "gon" | "grad" | "gradians" => (0.9, Some(AngleUnit::Degrees)),
+            "mm" | "cm" | "m" | "meters" | "metres" => (1.0, None),
+            "º" | "˚" => (1.0, Some(AngleUnit::Degrees)),
+            word => match AngleUnit::named(word) {
+                Some(unit) => (1.0, Some(unit)),
+                None => return false,
+            },
+        };
+        member.kind = Kind::Number(value * factor);
+        member.unit = unit;
+        true
     }
 
     /// A label: what stands before the name that it marks was the value of another one.
@@ -290,10 +334,27 @@ impl<'t> Builder<'t> {
     /// The words of a bracket that holds nothing else, with those before it.
     fn remark(&mut self) -> Option<Pending<'t>> {
         let open = self.open.last()?;
-        if !open.member.members.is_empty() || open.opened != Opened::Bracket {
+        let is_words = open
+            .member
+            .members
+            .iter()
+            .all(|member| member.kind == Kind::Word && member.key.is_empty());
+        if !is_words || open.opened != Opened::Bracket {
             return None;
         }
-        let words = std::mem::take(&mut self.pending).words;
+        let mut words: Vec<Token<'t>> = open
+            .member
+            .members
+            .iter()
+            .map(|member| Token {
+                mark: Mark::Word,
+                text: member.text,
+                span: member.span,
+            })
+            .collect();
+        words.append(&mut self.pending.words);
+        self.pending.labels.clear();
+        let open = self.open.last()?;
         let key = open.member.key;
         let before = Token {
             mark: Mark::Word,

@@ -7,7 +7,7 @@ use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedRotation, ParsedRotationVector,
 };
-use crate::text::record::format::{Angles, Letters, Part, Unit};
+use crate::text::record::format::{Angles, Letters, Part, Places, Unit};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 /// Entries of two decimals are off by less.
@@ -126,7 +126,11 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRota
         (None, Some(letters)) => told_sequence(letters, angles.letters)?,
         (None, None) => angles.sequence.parse().ok()?,
     };
-    let in_order = angles.places.map(|place| numbers[place]);
+    let in_order = match angles.places {
+        Places::Listed(places) => places.map(|place| numbers[place]),
+        Places::ByAxis if sequence.is_proper() => return None,
+        Places::ByAxis => sequence.axes.axes().map(|axis| numbers[axis.index()]),
+    };
     let unit = unit(angles.unit, &in_order, said);
     let mut angles_rad = in_order.map(|angle| turn(angle, unit.unit()));
     for (angle, sign) in angles_rad.iter_mut().zip(angles.signs) {

@@ -193,6 +193,8 @@ impl<'t> Scanner<'t> {
             '.' if second.is_ascii_digit() => self.number(0),
             '+' | '-' | '−' => self.sign(first),
             '"' | '\'' | '`' => self.quote(first),
+            // The rows and columns of R: `[1,]`, `[,2]`.
+            '[' if row_label(rest) > 0 => self.at += row_label(rest),
             '(' | '[' | '{' => self.push(Mark::Open, 1),
             ')' | ']' | '}' => self.push(Mark::Close, 1),
             '<' => self.angle(),
@@ -322,7 +324,17 @@ impl<'t> Scanner<'t> {
                 end += 1 + signed + exponent;
             }
         }
-        let written = body[..end].replace(',', ".");
+        let mut written = body[..end].replace(',', ".");
+        // `1.5*^-2` of Mathematica.
+        if let Some(power) = body[end..].strip_prefix("*^") {
+            let signed = usize::from(power.starts_with('-'));
+            let exponent = digits(end + 2 + signed);
+            if exponent > 0 {
+                let length = 2 + signed + exponent;
+                written = format!("{written}e{}", &body[end + 2..end + length]);
+                end += length;
+            }
+        }
         let magnitude = nearest_double(&written);
         let negative = rest.starts_with(['-', '−']);
         let value = if negative { -magnitude } else { magnitude };
@@ -453,6 +465,19 @@ impl<'t> Scanner<'t> {
             self.at += 1;
         }
     }
+}
+
+/// How many bytes at the start are the number of a row or a column as R prints it.
+fn row_label(text: &str) -> usize {
+    let Some(end) = text.find(']') else {
+        return 0;
+    };
+    let inside = &text[1..end];
+    let is_count =
+        |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    let is_label = inside.strip_suffix(',').is_some_and(is_count)
+        || inside.strip_prefix(',').is_some_and(is_count);
+    if is_label { end + 1 } else { 0 }
 }
 
 /// Whether the checksum of a sentence follows: `*48`.

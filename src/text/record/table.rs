@@ -94,6 +94,8 @@ impl<'t> Table<'t> {
                     scope: usize::MAX,
                     is_computed: false,
                     follows_bar: false,
+                    unit: None,
+                    has_commas: true,
                 }
             })
             .collect();

@@ -14,6 +14,7 @@ use crate::convention::Convention;
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::OrderSource;
+use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem, Span, Wanted};
 #[cfg(feature = "whole")]
@@ -23,8 +24,6 @@ use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
 use crate::text::mend::unit::{self, UnitTexts};
 use crate::text::mend::with_suggestion;
-#[cfg(feature = "whole")]
-use crate::text::names_more;
 use crate::text::{
     ParsedQuaternion, ParsedRotation, RotationText, RowMarks, parse_rotation, read_rotation,
 };
@@ -36,6 +35,16 @@ use std::f64::consts::{PI, TAU};
 pub(crate) struct Declared {
     pub(crate) convention: Convention,
     pub(crate) matrix: MatrixConvention,
+    /// The library that printed the text, where one is declared.
+    pub(crate) library: Option<DeclaredLibrary>,
+}
+
+/// What a declared library says of the text that it printed.
+#[derive(Clone, Copy)]
+pub(crate) struct DeclaredLibrary {
+    pub(crate) id: &'static str,
+    /// Which vectors its matrices multiply.
+    pub(crate) vectors: VectorLayout,
 }
 
 /// An attitude that was read from text.
@@ -102,7 +111,9 @@ impl Attitude {
         text: &str,
         declared: Declared,
     ) -> Result<Self, Fault> {
-        let Declared { convention, matrix } = declared;
+        let Declared {
+            convention, matrix, ..
+        } = declared;
         let span = Span::of_trimmed(text);
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
@@ -277,7 +288,7 @@ impl Attitude {
 #[cfg(feature = "whole")]
 fn is_record(text: &str, plain: &Result<Attitude, Fault>) -> bool {
     match plain {
-        Ok(_) => names_more(text),
+        Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
         Err(fault) => {
             !is_too_long(text) && !(fault.code == ProblemCode::EmptyText && text.trim().is_empty())
         }

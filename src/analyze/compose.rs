@@ -30,6 +30,7 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
     let declared = Declared {
         convention: request.convention,
         matrix: request.matrix,
+        library: None,
     };
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);

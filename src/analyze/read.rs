@@ -13,6 +13,7 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     let declared = Declared {
         convention: request.convention,
         matrix: request.matrix,
+        library: None,
     };
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
     let vector = TypedVector::of_text(&request.vector);

@@ -1,18 +1,19 @@
 //! The attitude in a whole block of text: which of its rotations is meant, and what stands beside it.
 
 use crate::analyze::attitude::{Attitude, Declared};
-use crate::analyze::plain_numbers::plain;
+use crate::analyze::plain_numbers::plain as plain_number;
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
 };
 use crate::convention::Direction;
+use crate::library::VectorLayout;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::mend::written::rotation_text;
-use crate::text::record::{Record, RecordRotation, What, record};
-use crate::text::{RotationText, RowMarks};
+use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
+use crate::text::{ParsedRotation, RotationText, RowMarks};
 use nalgebra::Vector3;
 
 /// Two descriptions of one rotation are no farther apart, in degrees: angles are often printed with no
@@ -27,12 +28,16 @@ pub(crate) fn of_record(
     declared: Declared,
     plain: Option<&Attitude>,
 ) -> Option<Result<Attitude, Fault>> {
-    let record = record(text, declared.convention.order, FORMATS, PLAIN);
+    let of_text = DeclaredFormat {
+        order: declared.convention.order,
+        library: declared.library.map(|library| library.id),
+    };
+    let record = record(text, of_text, FORMATS, PLAIN);
     let mut read: Vec<(&RecordRotation, Attitude)> = Vec::new();
     let mut fault = None;
     for found in record.rotations.iter().filter(|found| !found.is_derived) {
         let parsed = RotationText {
-            rotation: found.rotation.clone(),
+            rotation: as_declared(found, declared),
             row_marks: if found.has_rows {
                 RowMarks::Lines
             } else {
@@ -45,6 +50,10 @@ pub(crate) fn of_record(
         }
     }
     let derived = record.rotations.iter().find(|found| found.is_derived);
+    let has_head = record.head.is_some();
+    if read.is_empty() && plain.is_some() && has_head && record.rotations.is_empty() {
+        return Some(Err(Fault::no_rotation_in_row(record.rows[0])));
+    }
     if read.is_empty() {
         return match (fault, derived) {
             (Some(fault), _) => Some(Err(fault)),
@@ -54,7 +63,7 @@ pub(crate) fn of_record(
             _ => None,
         };
     }
-    if record.rows.len() > 1 {
+    if plain.is_none() && record.rows.len() > 1 {
         return Some(Err(several_rows(&record, text)));
     }
     let differs =
@@ -78,6 +87,7 @@ pub(crate) fn of_record(
     };
     // Of two quaternions one is another rotation; angles beside a quaternion should be the same one.
     if disagree
+        && plain.is_none()
         && others
             .iter()
             .any(|(other, differs)| *differs > SAME_WITHIN_DEG && is_kind(other))
@@ -89,7 +99,7 @@ pub(crate) fn of_record(
         let description = OtherDescription {
             label: named(&other.label),
             text: text[other.span.start..other.span.end].to_owned(),
-            differs_by_deg: plain_degrees(differs_by_deg),
+            differs_by_deg: plain_number(differs_by_deg),
         };
         told.push(if differs_by_deg > SAME_WITHIN_DEG {
             Fact::DescriptionsDisagree(description)
@@ -113,8 +123,18 @@ pub(crate) fn of_record(
     Some(Ok(Attitude { told, ..attitude }))
 }
 
-fn plain_degrees(degrees: f64) -> f64 {
-    plain(degrees)
+/// The rotation as the declaration has it: what a library prints for row vectors was read with the
+/// translation in its last row, so it is as it was printed again.
+fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
+    let is_for_rows = declared
+        .library
+        .is_some_and(|library| library.vectors == VectorLayout::Row);
+    match &found.rotation {
+        ParsedRotation::Matrix(matrix) if found.by_columns && is_for_rows => {
+            ParsedRotation::Matrix(matrix.transpose())
+        }
+        rotation => rotation.clone(),
+    }
 }
 
 fn named(label: &str) -> Option<String> {
@@ -147,7 +167,7 @@ fn found_in_text(
                 What::Scale => BesideQuantity::Scale,
             },
             label: named(&beside.label),
-            numbers: beside.numbers.map(plain),
+            numbers: beside.numbers.map(plain_number),
             body_in_world: (beside.what == What::Position)
                 .then(|| body_in_world(beside.numbers, attitude, declared)),
         })
@@ -173,11 +193,11 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude, declared: Declared)
         _ => Direction::BodyToWorld,
     };
     match direction {
-        Direction::BodyToWorld => translation.map(plain),
+        Direction::BodyToWorld => translation.map(plain_number),
         Direction::WorldToBody => {
             let body_to_world = attitude.rotation.matrix(Direction::BodyToWorld);
             let origin = -(body_to_world * Vector3::from(translation));
-            [origin.x, origin.y, origin.z].map(plain)
+            [origin.x, origin.y, origin.z].map(plain_number)
         }
     }
 }

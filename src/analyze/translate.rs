@@ -1,6 +1,6 @@
 //! From one end of a translation to the other.
 
-use crate::analyze::attitude::{Attitude, Declared};
+use crate::analyze::attitude::{Attitude, Declared, DeclaredLibrary};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
 use crate::analyze::plain_numbers::{plain, rows3};
@@ -15,7 +15,7 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::frames::axis_mapping::{AxesChange, AxisMapping};
 use crate::library::endpoint::{Endpoint, Meaning};
-use crate::library::{Essentials, essentials, stores_columns};
+use crate::library::{Essentials, VectorLayout, essentials, stores_columns};
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::Suggestion;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
@@ -116,6 +116,12 @@ fn attitude(
             ..from.numbers()
         },
         matrix: from.matrix_convention(),
+        library: from.library.map(|library| DeclaredLibrary {
+            id: library.id,
+            vectors: from
+                .matrix
+                .map_or(VectorLayout::Column, |printed| printed.vectors),
+        }),
     };
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);

@@ -257,26 +257,6 @@ pub fn parse_number(text: &str) -> Result<f64, Fault> {
     list::number(&grammar::entries(&telling.tokens)?, span)
 }
 
-/// Whether a text names something beside a rotation: a position, a scale, a velocity.
-#[cfg(feature = "whole")]
-pub(crate) fn names_more(text: &str) -> bool {
-    const NAMES: [&str; 11] = [
-        "position",
-        "translation",
-        "location",
-        "scale",
-        "linear",
-        "angular",
-        "origin",
-        "pos",
-        "tvec",
-        "euler",
-        "matrix",
-    ];
-    let lower = text.to_ascii_lowercase();
-    NAMES.iter().any(|name| lower.contains(name))
-}
-
 /// The tokens of a text that is not empty, and its place without the space around it.
 fn telling_of(text: &str, wanted: Wanted) -> Result<(Telling<'_>, Span), Fault> {
     let (telling, span) = telling(text)?;

@@ -83,6 +83,17 @@ impl Fault {
     }
 
     #[cfg(feature = "whole")]
+    pub(crate) fn no_rotation_in_row(span: Span) -> Self {
+        Self::new(
+            ProblemCode::WrongCount,
+            span,
+            "the names above this row tell of no rotation",
+            "columns of a quaternion, of angles or of a matrix",
+            "add the columns of the rotation and their names: qx qy qz qw",
+        )
+    }
+
+    #[cfg(feature = "whole")]
     pub(crate) fn several_rows(span: Span, count: usize) -> Self {
         Self::told(ProblemCode::SeveralRotations, span, || {
             Words::new(

@@ -26,6 +26,14 @@ pub(crate) const DEVICES: &[Format] = &[
             ),
         ],
     },
+    // `6d 1 [0 1.000][x y z η θ φ][nine numbers column by column]` (ART DTrack).
+    Format {
+        id: "dtrack",
+        name: "ART DTrack",
+        marks: &["6d|6df|6dcal|6dmt"],
+        order: None,
+        fields: &[Field::Any(&[Part::Columns])],
+    },
     Format {
         id: "xsens-mti",
         name: "Xsens",

@@ -16,18 +16,26 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "carla-rotation",
         name: "CARLA",
-        marks: &["carla"],
+        marks: &["carla|location", "rotation", "pitch"],
         order: None,
         fields: &[Field::Named("pitch yaw roll", &[ROTATOR])],
     },
     Format {
-        id: "unreal-fquat",
+        id: "unreal",
         name: "Unreal",
         marks: &[
             "frotator|ftransform|relativerotation|uobject|actor|unreal|ue4|ue5|fquat|fvector|rotator",
         ],
         order: None,
         fields: &[Field::Named("pitch yaw roll", &[ROTATOR])],
+    },
+    // Twelve numbers, the x axis first and the translation last (3MF, transform).
+    Format {
+        id: "3mf",
+        name: "3MF",
+        marks: &["<item|<component", "transform"],
+        order: None,
+        fields: &[Field::Under("transform", &[Part::HomogeneousColumns(12)])],
     },
     // The basis row by row, then the origin (Godot, text of a scene).
     Format {
@@ -72,14 +80,6 @@ pub(crate) const ENGINES: &[Format] = &[
             Field::Under("mat3x3|dmat3x3|mat3", &[Part::Columns]),
             Field::Under("mat4x4|dmat4x4|mat4", &[Part::HomogeneousColumns(16)]),
         ],
-    },
-    // Twelve numbers, the x axis first and the translation last (3MF, transform).
-    Format {
-        id: "3mf",
-        name: "3MF",
-        marks: &["<item|<component", "transform"],
-        order: None,
-        fields: &[Field::Under("transform", &[Part::HomogeneousColumns(12)])],
     },
     // Position first, then nine numbers row by row (Roblox, CFrame.new).
     Format {

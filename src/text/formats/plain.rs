@@ -22,6 +22,19 @@ pub(crate) const PLAIN: &[Field] = &[
     ),
     // Unreal's rotator as it prints itself.
     Field::OnlyNamed("p y r", &[ROTATOR]),
+    Field::OnlyNamed("r p y", &[ROLL_PITCH_YAW]),
+    Field::Named(
+        "m11 m12 m13 m14 m21 m22 m23 m24 m31 m32 m33 m34 m41 m42 m43 m44",
+        &[Part::Homogeneous(16)],
+    ),
+    Field::Named(
+        "m00 m01 m02 m03 m10 m11 m12 m13 m20 m21 m22 m23 m30 m31 m32 m33",
+        &[Part::Homogeneous(16)],
+    ),
+    Field::Named("m11 m12 m13 m21 m22 m23 m31 m32 m33", &[Part::Rows]),
+    Field::Named("m00 m01 m02 m10 m11 m12 m20 m21 m22", &[Part::Rows]),
+    Field::Named("r11 r12 r13 r21 r22 r23 r31 r32 r33", &[Part::Rows]),
+    Field::Named("r00 r01 r02 r10 r11 r12 r20 r21 r22", &[Part::Rows]),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),

@@ -209,12 +209,14 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         (8, _) => parts(&[Part::Time, Part::Position, Part::Quaternion(None)]).unwrap_or(none),
         (9, _) if meaning.by_columns => parts(&[Part::Columns]).unwrap_or(none),
         (9, _) => parts(&[Part::Rows]).unwrap_or(none),
+        (12, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(12)]).unwrap_or(none),
         (12, _) => only([
             parts(&[Part::HomogeneousRows(12)]),
             parts(&[Part::Rows, Part::Position]),
             parts(&[Part::Position, Part::Rows]),
         ])
         .unwrap_or(none),
+        (16, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(16)]).unwrap_or(none),
         (16, _) => parts(&[Part::HomogeneousRows(16)])
             .or_else(|| parts(&[Part::HomogeneousColumns(16)]))
             .unwrap_or(none),

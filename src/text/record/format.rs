@@ -28,7 +28,7 @@ pub(crate) enum Field {
     NamedUnder(&'static str, &'static str, &'static [Part]),
     /// Single numbers with these names, which spaces divide, in the order of the parts.
     Named(&'static str, &'static [Part]),
-    /// The same, where these are all.
+    /// The same in this order, where these are all.
     OnlyNamed(&'static str, &'static [Part]),
     /// A row of the text that begins with numbers.
     Row(&'static [Part]),
@@ -62,8 +62,10 @@ pub(crate) enum Part {
     Columns,
     /// Twelve or sixteen numbers row by row, the translation in the last column.
     HomogeneousRows(usize),
-    /// Sixteen numbers column by column.
+    /// Twelve or sixteen numbers column by column.
     HomogeneousColumns(usize),
+    /// Sixteen numbers, whose translation tells whether rows or columns follow each other.
+    Homogeneous(usize),
 }
 
 /// The unit of angles: that of the format, which a word in the text may change, or to be seen from their size.
@@ -149,9 +151,10 @@ impl Part {
     /// How many numbers it takes.
     pub(crate) const fn count(self) -> usize {
         match self {
-            Self::Skip(count) | Self::HomogeneousRows(count) | Self::HomogeneousColumns(count) => {
-                count
-            }
+            Self::Skip(count)
+            | Self::HomogeneousRows(count)
+            | Self::HomogeneousColumns(count)
+            | Self::Homogeneous(count) => count,
             Self::Time | Self::Nanoseconds => 1,
             Self::Position | Self::Scale | Self::Euler(_) | Self::RotationVector(_) => 3,
             Self::Quaternion(_)

@@ -67,6 +67,7 @@ impl<'t> Quantities<'t> {
     pub(crate) fn of(members: &[Member<'t>]) -> Self {
         let mut found = Self::default();
         found.collect(members, &[""], Holder::Lines);
+        found.groups = with_rows_by_name(found.groups);
         found.named = named(&found.groups);
         found
             .groups
@@ -379,4 +380,92 @@ impl<'t> Quantities<'t> {
             .retain(|named| !named.members.iter().all(|member| inside(member.span)));
         self.named.extend(named(&groups));
     }
+}
+
+/// What the names of three or four groups say of them: `R0`, `R1`, `R2` are rows, `c0`, `c1`, `c2` columns.
+fn rows_or_columns(names: &[String]) -> Option<&'static str> {
+    let stems: Vec<(&str, char)> = names
+        .iter()
+        .map(|name| {
+            let last = name.chars().next_back()?;
+            Some((&name[..name.len() - last.len_utf8()], last))
+        })
+        .collect::<Option<_>>()?;
+    let (stem, first) = stems[0];
+    let goes_on = stems
+        .iter()
+        .zip(u32::from(first)..)
+        .all(|(&(own, last), expected)| own == stem && u32::from(last) == expected);
+    match stem {
+        _ if !goes_on || !first.is_ascii_digit() => None,
+        "r" | "row" | "rows" | "m" => Some("rows"),
+        "c" | "col" | "column" | "columns" => Some("columns"),
+        _ => None,
+    }
+}
+
+/// `x_axis`, `y_axis`, `z_axis`, and `w_axis` where there is a translation: the columns.
+fn are_axes(names: &[String]) -> bool {
+    let axis = |name: &String| {
+        let name = name
+            .strip_suffix("axis")
+            .or_else(|| name.strip_prefix("axis"));
+        name.map(str::to_owned)
+    };
+    let axes: Option<String> = names.iter().map(axis).collect();
+    axes.is_some_and(|axes| axes == "xyz" || axes == "xyzw")
+}
+
+/// The groups with those in place of three or four of them that are the rows or the columns of a matrix.
+fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
+    let mut all: Vec<Group<'_>> = Vec::new();
+    let mut rest = &groups[..];
+    while let Some(first) = rest.first() {
+        let of_matrix = [4, 3].into_iter().find_map(|count| {
+            let rows = rest.get(..count)?;
+            let length = first.numbers.len();
+            let is_one = rows
+                .iter()
+                .all(|row| row.numbers.len() == length && row.scope == first.scope);
+            let names: Vec<String> = rows
+                .iter()
+                .map(|row| {
+                    let words = words_of(own_key(row));
+                    let words = words.iter().filter(|word| !word.starts_with("vec"));
+                    let words: Vec<&str> = words.map(String::as_str).collect();
+                    match &words[..] {
+                        [.., name, axis] if *axis == "axis" => format!("{name}{axis}"),
+                        [.., axis, name] if *axis == "axis" => format!("{axis}{name}"),
+                        [.., name] => (*name).to_owned(),
+                        [] => String::new(),
+                    }
+                })
+                .collect();
+            let is_matrix = matches!((count, length), (3, 3 | 4) | (4, 3 | 4));
+            let named =
+                rows_or_columns(&names).or_else(|| are_axes(&names).then_some("columns"))?;
+            (is_one && is_matrix && !(count == 4 && length == 3 && named == "rows"))
+                .then_some((rows, named))
+        });
+        match of_matrix {
+            Some((rows, named)) => {
+                let mut path = first.path[..first.path.len() - 1].to_vec();
+                path.push(named);
+                all.push(Group {
+                    path,
+                    numbers: rows.iter().flat_map(|row| row.numbers.clone()).collect(),
+                    rows: rows.iter().map(|row| row.numbers.len()).collect(),
+                    span: rows[0].span.to(rows[rows.len() - 1].span),
+                    is_computed: rows.iter().any(|row| row.is_computed),
+                    ..first.clone()
+                });
+                rest = &rest[rows.len()..];
+            }
+            None => {
+                all.push(first.clone());
+                rest = &rest[1..];
+            }
+        }
+    }
+    all
 }

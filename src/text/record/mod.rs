@@ -86,10 +86,19 @@ pub(crate) struct Record {
     pub(crate) head: Option<Span>,
 }
 
+/// What is declared of a text.
+#[derive(Clone, Copy)]
+pub(crate) struct DeclaredFormat<'d> {
+    /// The order of four numbers where nothing tells it.
+    pub(crate) order: ComponentOrder,
+    /// The id of the library that printed it.
+    pub(crate) library: Option<&'d str>,
+}
+
 /// What is found in a text; `declared` is the order of four numbers where nothing tells it.
 pub(crate) fn record(
     text: &str,
-    declared: ComponentOrder,
+    declared: DeclaredFormat<'_>,
     formats: &'static [&'static [Format]],
     plain: &'static [Field],
 ) -> Record {
@@ -118,7 +127,7 @@ pub(crate) fn record(
     let formats: Vec<&'static Format> = formats
         .iter()
         .flat_map(|family| family.iter())
-        .filter(|format| is_marked(format, &words))
+        .filter(|format| declared.library == Some(format.id) || is_marked(format, &words))
         .collect();
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
@@ -132,7 +141,7 @@ pub(crate) fn record(
     }
     let context = Context {
         formats,
-        declared,
+        declared: declared.order,
         order: settings.order,
         unit: settings.unit,
         letters: settings.letters,

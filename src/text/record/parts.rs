@@ -54,6 +54,11 @@ pub(crate) fn made(parts: &[Part], numbers: &[f64], said: Said<'_>) -> Option<Ve
             Part::HomogeneousRows(_) | Part::HomogeneousColumns(_) => {
                 found.extend(homogeneous(*part, own)?);
             }
+            Part::Homogeneous(count) => {
+                let rows = homogeneous(Part::HomogeneousRows(*count), own);
+                let columns = || homogeneous(Part::HomogeneousColumns(*count), own);
+                found.extend(rows.or_else(columns)?);
+            }
             _ => found.push(one(*part, own, said)?),
         }
     }
@@ -100,7 +105,9 @@ fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
         Part::Columns => Made::Columns(ParsedRotation::Matrix(orthonormal(
             Matrix3::from_column_slice(numbers),
         )?)),
-        Part::HomogeneousRows(_) | Part::HomogeneousColumns(_) => return None,
+        Part::HomogeneousRows(_) | Part::HomogeneousColumns(_) | Part::Homogeneous(_) => {
+            return None;
+        }
     })
 }
 

@@ -83,8 +83,13 @@ pub(crate) fn found(
         .flat_map(|format| format.fields.iter().map(move |field| (field, Some(format))))
         .chain(plain.iter().map(|field| (field, None)))
         .collect();
+    let together = groups_together(quantities, context, &fields);
+    let taken: Vec<Span> = together.iter().map(|found| found.span).collect();
+    all.extend(together);
     for group in &quantities.groups {
-        all.extend(of_group(group, context, &fields));
+        if !taken.contains(&group.span) {
+            all.extend(of_group(group, context, &fields));
+        }
     }
     for named in &quantities.named {
         all.extend(of_named(named, context, &fields));
@@ -92,6 +97,12 @@ pub(crate) fn found(
     all.extend(positions_beside(quantities, &all));
     all.extend(split_quaternion(quantities, context));
     all.extend(axis_beside_angle(quantities, context));
+    all.extend(
+        quantities
+            .named
+            .iter()
+            .filter_map(|named| turns_by_axis(named, context)),
+    );
     all.sort_by_key(|found| found.span.start);
     all
 }
@@ -116,7 +127,9 @@ fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found
             Field::Any(parts) => (true, parts),
             Field::Row(parts) => (is_bare(group), parts),
             Field::CommaRow(parts) => (is_bare(group) && group.has_commas, parts),
-            Field::Named(..) | Field::NamedUnder(..) | Field::OnlyNamed(..) => return None,
+            Field::Named(..) | Field::NamedUnder(..) | Field::OnlyNamed(..) | Field::Groups(_) => {
+                return None;
+            }
         };
         let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
         Some((made, *format))
@@ -147,13 +160,64 @@ fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found
         .collect()
 }
 
+/// Whether numbers begin a line, with no name before them in it.
 fn is_bare(group: &Group<'_>) -> bool {
-    group.path.iter().all(|key| key.is_empty())
+    group.is_line && group.path.last().is_none_or(|key| key.is_empty())
+}
+
+/// The quantities of formats that are told by their order alone, as `1,2,3|10,20,30|1,1,1`.
+fn groups_together(quantities: &Quantities<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
+    for (field, format) in fields {
+        let Field::Groups(parts) = field else {
+            continue;
+        };
+        for groups in quantities.groups.windows(parts.len()) {
+            let are_bare = groups[1..]
+                .iter()
+                .all(|group| next_key(&group.path).is_none());
+            let fits = groups
+                .iter()
+                .zip(*parts)
+                .all(|(group, part)| group.numbers.len() == part.count());
+            if !are_bare || !fits {
+                continue;
+            }
+            return groups
+                .iter()
+                .zip(*parts)
+                .filter_map(|(group, part)| {
+                    let said = context.said(&Meaning::of(&group.path));
+                    let made = made(&[*part], &group.numbers, said)?;
+                    Some(Found {
+                        made: made.into_iter().next()?,
+                        label: label_of(&group.path),
+                        span: group.span,
+                        is_derived: false,
+                        is_computed: group.is_computed,
+                        format: *format,
+                        has_rows: true,
+                    })
+                })
+                .collect();
+        }
+    }
+    Vec::new()
+}
+
+/// The innermost name that says more than that it holds numbers.
+fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
+    const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
+                           np numpy tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
+    path.iter().rev().copied().find(|key| {
+        let mut words = identifiers_of(key);
+        !key.is_empty()
+            && !words.all(|word| HOLDERS.split_whitespace().any(|holder| holder == word))
+    })
 }
 
 /// Whether one of these names stands next over numbers; a letter alone only as it is.
 fn stands_under(path: &[&str], names: &str) -> bool {
-    let Some(key) = path.iter().rev().find(|key| !key.is_empty()) else {
+    let Some(key) = next_key(path) else {
         return false;
     };
     names.split('|').any(|name| {
@@ -424,6 +488,58 @@ fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) -> Option<F
         span: angle.span.to(axis_span),
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: angle.is_computed,
+        format: None,
+        has_rows: true,
+    })
+}
+
+/// One turn after the other about moving axes, by their names: `rotateY(10deg) rotateX(20deg) rotateZ(30deg)`,
+/// and the channels of BVH.
+fn turns_by_axis(named: &Named<'_>, context: &Context) -> Option<Found> {
+    let of_stem = named.stem.ends_with("rotate");
+    let axis = |name: &str| -> Option<char> {
+        let letter = if of_stem {
+            name
+        } else {
+            name.strip_suffix("rotation")?
+        };
+        matches!(letter, "x" | "y" | "z").then(|| letter.chars().next())?
+    };
+    let turns: Vec<_> = named
+        .members
+        .iter()
+        .filter_map(|member| Some((axis(&member.name)?, member)))
+        .collect();
+    let [(first, one), (second, two), (third, three)] = turns[..] else {
+        return None;
+    };
+    let letters: String = [first, second, third]
+        .iter()
+        .map(char::to_ascii_uppercase)
+        .collect();
+    let meaning = Meaning::default();
+    let unit = [one, two, three].iter().find_map(|member| member.unit);
+    let said = Said {
+        letters: Some(&letters),
+        unit: unit.or(context.unit),
+        ..context.said(&meaning)
+    };
+    let angles = Angles::new(
+        "XYZ",
+        if of_stem {
+            Unit::BySize
+        } else {
+            Unit::Always(AngleUnit::Degrees)
+        },
+    );
+    let numbers = [one.value, two.value, three.value];
+    let made = made(&[Part::Euler(angles)], &numbers, said)?;
+    Some(Found {
+        made: made.into_iter().next()?,
+        label: label_of(&named.path),
+        span: one.span.to(three.span),
+        is_derived: false,
+        is_computed: [one, two, three].iter().any(|member| member.is_computed),
         format: None,
         has_rows: true,
     })

@@ -32,6 +32,8 @@ pub(crate) enum Field {
     OnlyNamed(&'static str, &'static [Part]),
     /// A row of the text that begins with numbers.
     Row(&'static [Part]),
+    /// Groups that stand behind each other, of which at most the first has a name.
+    Groups(&'static [Part]),
     /// Such a row that commas divide.
     CommaRow(&'static [Part]),
 }
@@ -56,6 +58,8 @@ pub(crate) enum Part {
     UnitAxisAngle(Unit),
     /// The angle, and three numbers of an axis.
     AngleAxis(Unit),
+    /// The x axis and the y axis; the third is perpendicular to both.
+    XyAxes,
     /// Nine numbers row by row.
     Rows,
     /// Nine numbers column by column.
@@ -161,6 +165,7 @@ impl Part {
             | Self::AxisAngle(_)
             | Self::UnitAxisAngle(_)
             | Self::AngleAxis(_) => 4,
+            Self::XyAxes => 6,
             Self::Rows | Self::Columns => 9,
         }
     }

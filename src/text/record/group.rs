@@ -22,6 +22,8 @@ pub(crate) struct Group<'t> {
     pub(crate) unit: Option<AngleUnit>,
     /// Whether commas divide the numbers.
     pub(crate) has_commas: bool,
+    /// Whether it stands in a line, in no brackets.
+    pub(crate) is_line: bool,
 }
 
 /// A word that is a value: `_order: 'XYZ'`.
@@ -67,7 +69,7 @@ impl<'t> Quantities<'t> {
     pub(crate) fn of(members: &[Member<'t>]) -> Self {
         let mut found = Self::default();
         found.collect(members, &[""], Holder::Lines);
-        found.groups = with_rows_by_name(found.groups);
+        found.groups = with_rows_by_name(with_repeated(found.groups));
         found.named = named(&found.groups);
         found
             .groups
@@ -98,6 +100,7 @@ impl<'t> Quantities<'t> {
                 Kind::Number(_) => {
                     let run = run(rest, holder);
                     self.groups.push(Group {
+                        is_line: holder == Holder::Lines,
                         is_computed: run.iter().any(|member| member.is_computed),
                         ..group_of(run, within(member.key), scope)
                     });
@@ -116,6 +119,7 @@ impl<'t> Quantities<'t> {
                             follows_bar: member.follows_bar,
                             unit: alike.iter().find_map(unit),
                             has_commas: true,
+                            is_line: false,
                         });
                         at += count;
                     }
@@ -187,6 +191,7 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         follows_bar: run[0].follows_bar,
         unit: run.iter().find_map(unit),
         has_commas: run[1..].iter().any(|member| member.follows_comma),
+        is_line: false,
     }
 }
 
@@ -305,13 +310,38 @@ fn name_and_stem(key: &str) -> (String, String) {
     if words.len() > 1 && words.last().is_some_and(|last| is_addition(last)) {
         words.pop();
     }
+    // `a yaw of 12°`
+    while words.len() > 1 && words.last().is_some_and(|last| is_filler(last)) {
+        words.pop();
+    }
     let mut name = words.pop().unwrap_or_default();
+    words.retain(|word| !is_filler(word));
+    // `q[0]` is q0, `matrix[1][2]` and `M12` are m12.
+    let is_place =
+        |word: &str| word.len() == 1 && word.starts_with(|first: char| first.is_ascii_digit());
+    if is_place(&name) && words.last().is_some_and(|last| is_place(last)) {
+        let row = words.pop().unwrap_or_default();
+        name = format!("m{row}{name}");
+    } else if name.len() == 2 && name.bytes().all(|byte| byte.is_ascii_digit()) {
+        name.insert(0, 'm');
+    } else if is_place(&name)
+        && let Some(of) = words.pop()
+    {
+        name.insert_str(0, &of);
+    }
     // `q_w`, `quat.w`, `qW`: the name says whose component it is.
     if name.len() == 1 && "wxyz".contains(&name) && words.last().is_some_and(|last| last == "q") {
         words.pop();
         name.insert(0, 'q');
     }
     (name, words.join(" "))
+}
+
+fn is_filler(word: &str) -> bool {
+    [
+        "of", "is", "was", "a", "an", "the", "and", "with", "by", "about", "in",
+    ]
+    .contains(&word)
 }
 
 /// What stands behind a name and says its unit or its type.
@@ -346,12 +376,15 @@ fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
             unit: group.unit,
         };
         let path = &group.path[..group.path.len() - 1];
-        if let Some(last) = found.last_mut()
-            && last.scope == group.scope
-            && belongs(last, &stem, &member)
-        {
-            last.others_have_stem |= !stem.is_empty();
-            last.members.push(member);
+        // Of several that are told in turn, `DesRoll: 1, Roll: 2, DesPitch: …`, that with the same stem.
+        let near = found.len().saturating_sub(NEAR);
+        let last = found.len().saturating_sub(1);
+        let own = (near..found.len()).rev().find(|&at| {
+            found[at].scope == group.scope && belongs(&found[at], &stem, &member, at == last)
+        });
+        if let Some(at) = own {
+            found[at].others_have_stem |= !stem.is_empty();
+            found[at].members.push(member);
         } else {
             found.push(Named {
                 path: path.to_vec(),
@@ -365,12 +398,31 @@ fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
     found
 }
 
+/// How many names a name may stand behind those that it belongs to.
+const NEAR: usize = 8;
+
 /// `Position: X 1 Y 2`: only the first is told; `Acc X: 1, Acc Y: 2, q0: 0.5`: the third is not of it.
-fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber) -> bool {
+fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -> bool {
     let is_new = named.members.iter().all(|own| own.name != member.name);
-    let tells_first_only = stem.is_empty() && !named.others_have_stem;
+    let follows = || {
+        let last = named.members.last().map_or("", |last| &last.name);
+        FOLLOWING.iter().any(|names| {
+            let names: Vec<&str> = names.split(' ').collect();
+            names.contains(&last) && names.contains(&&*member.name)
+        })
+    };
+    let tells_first_only = stem.is_empty() && !named.others_have_stem && is_last && follows();
     is_new && (stem == named.stem || tells_first_only)
 }
+
+/// Names that are told one after the other.
+const FOLLOWING: [&str; 5] = [
+    "w x y z",
+    "roll pitch yaw heading bank",
+    "a b c",
+    "rx ry rz",
+    "i j k real",
+];
 
 impl<'t> Quantities<'t> {
     /// With the groups of a table in place of those that stand inside it.
@@ -398,7 +450,7 @@ fn rows_or_columns(names: &[String]) -> Option<&'static str> {
         .all(|(&(own, last), expected)| own == stem && u32::from(last) == expected);
     match stem {
         _ if !goes_on || !first.is_ascii_digit() => None,
-        "r" | "row" | "rows" | "m" => Some("rows"),
+        "" | "r" | "row" | "rows" | "m" => Some("rows"),
         "c" | "col" | "column" | "columns" => Some("columns"),
         _ => None,
     }
@@ -413,11 +465,13 @@ fn are_axes(names: &[String]) -> bool {
         name.map(str::to_owned)
     };
     let axes: Option<String> = names.iter().map(axis).collect();
-    axes.is_some_and(|axes| axes == "xyz" || axes == "xyzw")
+    // Godot writes `X: (…), Y: (…), Z: (…), O: (…)`.
+    axes.is_some_and(|axes| axes == "xyz" || axes == "xyzw") || names.concat() == "xyzo"
 }
 
 /// The groups with those in place of three or four of them that are the rows or the columns of a matrix.
 fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
+    let groups: Vec<Group<'_>> = groups.into_iter().map(without_numbering).collect();
     let mut all: Vec<Group<'_>> = Vec::new();
     let mut rest = &groups[..];
     while let Some(first) = rest.first() {
@@ -433,12 +487,11 @@ fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
                     let words = words_of(own_key(row));
                     let words = words.iter().filter(|word| !word.starts_with("vec"));
                     let words: Vec<&str> = words.map(String::as_str).collect();
-                    match &words[..] {
-                        [.., name, axis] if *axis == "axis" => format!("{name}{axis}"),
-                        [.., axis, name] if *axis == "axis" => format!("{axis}{name}"),
-                        [.., name] => (*name).to_owned(),
-                        [] => String::new(),
-                    }
+                    let axis = words
+                        .windows(2)
+                        .find(|pair| pair.contains(&"axis"))
+                        .map(|pair| pair.concat());
+                    axis.unwrap_or_else(|| words.last().copied().unwrap_or_default().to_owned())
                 })
                 .collect();
             let is_matrix = matches!((count, length), (3, 3 | 4) | (4, 3 | 4));
@@ -468,4 +521,66 @@ fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
         }
     }
     all
+}
+
+/// The groups with one in place of single numbers of one name that follow each other: `transform: 0.5` in
+/// each of sixteen lines.
+fn with_repeated(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
+    let is_same = |one: &Group<'_>, next: &Group<'_>| {
+        one.numbers.len() == 1
+            && next.numbers.len() == 1
+            && one.scope == next.scope
+            && !own_key(one).is_empty()
+            && own_key(one) == own_key(next)
+    };
+    groups
+        .chunk_by(is_same)
+        .map(|same| match same {
+            [only] => only.clone(),
+            _ => Group {
+                numbers: same
+                    .iter()
+                    .flat_map(|group| group.numbers.clone())
+                    .collect(),
+                rows: vec![same.iter().map(|group| group.numbers.len()).sum()],
+                span: same[0].span.to(same[same.len() - 1].span),
+                is_computed: same.iter().any(|group| group.is_computed),
+                ..same[0].clone()
+            },
+        })
+        .collect()
+}
+
+/// A row of a PDB file without the numbers of its operator before and of its flag behind.
+fn without_numbering(group: Group<'_>) -> Group<'_> {
+    let words = words_of(own_key(&group));
+    let is_pdb = words.last().is_some_and(|last| {
+        let stem = last.trim_end_matches(|digit: char| digit.is_ascii_digit());
+        ["biomt", "mtrix", "smtry"].contains(&stem)
+    });
+    if !is_pdb || !(5..=6).contains(&group.numbers.len()) {
+        return group;
+    }
+    let name = words.last().map_or("", |last| &last[last.len() - 1..]);
+    let row = ["r1", "r2", "r3"]
+        .into_iter()
+        .find(|row| row.ends_with(name));
+    let mut path = group.path.clone();
+    path.pop();
+    path.push(row.unwrap_or("r1"));
+    Group {
+        path,
+        numbers: group.numbers[1..5].to_vec(),
+        rows: vec![4],
+        ..group
+    }
+}
+
+/// Whether a column of this name is a component, an angle or a coordinate.
+pub(crate) fn is_usual_name(cell: &str) -> bool {
+    const NAMES: &str = "w x y z qw qx qy qz q0 q1 q2 q3 q4 qs qc qr qi qj qk tx ty tz px py pz roll pitch yaw heading \
+                         rx ry rz a b c o t phi theta psi phi1 phi2 omega kappa quatw quati quatj quatk \
+                         xposition yposition zposition xrotation yrotation zrotation orient1 orient2 orient3 orient4";
+    let (name, _) = name_and_stem(cell);
+    NAMES.split_whitespace().any(|known| known == name)
 }

@@ -85,7 +85,7 @@ const ROLES: &[(Role, &str)] = &[
     ),
     (
         Role::Derived,
-        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv log delta",
+        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv",
     ),
 ];
 
@@ -118,6 +118,13 @@ impl Meaning {
     }
 
     fn take(&mut self, key: &str) {
+        // The words of a declaration say nothing: `VAR pose`, `const quat`.
+        let key = [
+            "VAR ", "PERS ", "CONST ", "LOCAL ", "TASK ", "var ", "let ", "const ", "static ",
+        ]
+        .into_iter()
+        .find_map(|word| key.strip_prefix(word))
+        .unwrap_or(key);
         let words = words_of(key);
         let joined = words.join("");
         let two = words.windows(2).map(|pair| pair.concat());
@@ -133,9 +140,15 @@ impl Meaning {
                 _ => None,
             }
         });
-        self.unit = self
-            .unit
-            .or_else(|| words.iter().rev().find_map(|word| AngleUnit::named(word)));
+        self.unit = self.unit.or_else(|| {
+            let unit = words.iter().rev().find_map(|word| AngleUnit::named(word));
+            let is_denied = words.windows(2).any(|pair| pair == ["degrees", "false"]);
+            if is_denied {
+                Some(AngleUnit::Radians)
+            } else {
+                unit
+            }
+        });
         self.sequence = self.sequence.or_else(|| sequence_of(key, &words));
         self.by_columns |= words
             .iter()
@@ -165,10 +178,22 @@ impl Meaning {
         if first == Some("T") {
             return Some(Role::Matrix);
         }
-        let two = all[words.len()..]
+        // `orientation (x, y, z, w)`: letters behind the name are its components.
+        let letters = words
             .iter()
             .rev()
-            .find_map(|word| role_of_word(word));
+            .take_while(|word| word.len() == 1 && "wxyz".contains(word.as_str()))
+            .count();
+        let pairs = &all[words.len()..];
+        let words = if letters >= 3 {
+            &words[..words.len() - letters]
+        } else {
+            words
+        };
+        if words.is_empty() {
+            return (letters == 4).then_some(Role::Quaternion);
+        }
+        let two = pairs.iter().rev().find_map(|word| role_of_word(word));
         two.or_else(|| words.iter().rev().find_map(|word| role_of_word(word)))
             // `r` alone is no matrix in the middle of a name.
             .filter(|role| !(*role == Role::Matrix && first == Some("r")))
@@ -193,6 +218,15 @@ fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
         "extrinsic" | "fixed" | "static" => Some(EulerFrame::Extrinsic),
         _ => None,
     });
+    // `as_euler('zyx')`, `quat2eul(q, 'ZYZ')`, `mat2euler(M, 'rzxz')`: the letters are those of the library.
+    let quoted = key
+        .split(['\'', '"'])
+        .skip(1)
+        .step_by(2)
+        .find_map(quoted_sequence);
+    if quoted.is_some() {
+        return quoted;
+    }
     let is_euler = words.iter().any(|word| word.starts_with("eul"));
     let letters = key
         .split(|mark: char| !mark.is_alphanumeric())
@@ -204,4 +238,18 @@ fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
         None if is_euler && letters.starts_with(char::is_uppercase) => Some(sequence),
         None => None,
     }
+}
+
+/// The sequence of letters that are quoted: of three, or of `transforms3d` with s or r before them.
+fn quoted_sequence(letters: &str) -> Option<EulerSequence> {
+    let (frame, axes) = match letters.split_at_checked(1)? {
+        ("s", axes) if axes.len() == 3 => (Some(EulerFrame::Extrinsic), axes),
+        ("r", axes) if axes.len() == 3 => (Some(EulerFrame::Intrinsic), axes),
+        _ => (None, letters),
+    };
+    let sequence: EulerSequence = axes.parse().ok()?;
+    Some(EulerSequence {
+        frame: frame.unwrap_or(sequence.frame),
+        ..sequence
+    })
 }

@@ -88,6 +88,7 @@ pub(crate) fn outline<'t>(text: &'t str, tokens: &[Token<'t>]) -> Vec<Member<'t>
         is_computed: false,
         follows_bar: false,
         follows_comma: false,
+        prompt: None,
         factor: None,
     };
     for (at, token) in tokens.iter().enumerate() {
@@ -124,6 +125,8 @@ struct Builder<'t> {
     is_computed: bool,
     follows_bar: bool,
     follows_comma: bool,
+    /// Where a line begins that was typed at a prompt.
+    prompt: Option<usize>,
     /// A factor of all the numbers that follow: `1.0e+03 *`.
     factor: Option<f64>,
 }
@@ -157,6 +160,10 @@ impl<'t> Builder<'t> {
             }
             Mark::Label => {
                 self.label();
+            }
+            Mark::Prompt => {
+                self.leave_all();
+                self.prompt = Some(token.span.end);
             }
             Mark::Factor => self.factor(),
             Mark::Operator => {
@@ -354,6 +361,8 @@ impl<'t> Builder<'t> {
             .collect();
         words.append(&mut self.pending.words);
         self.pending.labels.clear();
+        // The time of a log says nothing of what follows.
+        words.retain(|word| !word.text.starts_with(|first: char| first.is_ascii_digit()));
         let open = self.open.last()?;
         let key = open.member.key;
         let before = Token {
@@ -423,6 +432,20 @@ impl<'t> Builder<'t> {
         if is_empty {
             return;
         }
+        if !in_bracket && let Some(start) = self.prompt.take() {
+            self.flush();
+            let length = self.text[start..].find('\n').unwrap_or(0);
+            let key = self.text[start..start + length].trim();
+            let member = scope(key, "", self.span_of(key), self.row);
+            self.open.push(Open {
+                opened: Opened::Heading {
+                    indent: 0,
+                    takes_same: true,
+                },
+                member,
+            });
+            return;
+        }
         if in_bracket {
             if !self.pending.is_label() {
                 self.flush();
@@ -471,6 +494,17 @@ impl<'t> Builder<'t> {
         let line = self.text[..start].rfind('\n').map_or(0, |at| at + 1);
         let before = &self.text[line..start];
         before.len() - before.trim_start_matches([' ', '\t', '-']).len()
+    }
+
+    /// Closes all headings.
+    fn leave_all(&mut self) {
+        self.flush();
+        while matches!(
+            self.open.last().map(|open| open.opened),
+            Some(Opened::Heading { .. })
+        ) {
+            self.close();
+        }
     }
 
     /// Closes the headings that do not hold a line so far indented.

@@ -99,6 +99,16 @@ fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
                 .flatten()?
         }
         Part::AngleAxis(unit) => axis_angle(&numbers[1..], numbers[0], unit, said)?,
+        Part::XyAxes => {
+            let x = Vector3::from_column_slice(&numbers[..3]).try_normalize(0.0)?;
+            let along = Vector3::from_column_slice(&numbers[3..]);
+            let y = (along - x * x.dot(&along)).try_normalize(0.0)?;
+            Made::Rotation(ParsedRotation::Matrix(Matrix3::from_columns(&[
+                x,
+                y,
+                x.cross(&y),
+            ])))
+        }
         Part::Rows => Made::Rotation(ParsedRotation::Matrix(orthonormal(
             Matrix3::from_row_slice(numbers),
         )?)),
@@ -233,18 +243,41 @@ fn homogeneous(part: Part, numbers: &[f64]) -> Option<Vec<Made>> {
             return None;
         }
     }
-    let matrix = orthonormal(Matrix3::from_fn(entry))?;
+    let (matrix, scale) = unscaled(Matrix3::from_fn(entry))?;
     let translation = [0, 1, 2].map(|row| entry(row, 3));
     let rotation = ParsedRotation::Matrix(matrix);
-    Some(vec![
+    let mut made = vec![
         if is_columns {
             Made::Columns(rotation)
         } else {
             Made::Rotation(rotation)
         },
         Made::Position(translation),
-    ])
+    ];
+    made.extend(scale.map(Made::Scale));
+    Some(made)
 }
+
+/// The matrix and, where its columns have other lengths than 1 and stand upright on each other, their
+/// lengths: a rotation behind a scale along the body's axes.
+fn unscaled(matrix: Matrix3<f64>) -> Option<(Matrix3<f64>, Option<[f64; 3]>)> {
+    if let Some(matrix) = orthonormal(matrix) {
+        return Some((matrix, None));
+    }
+    let scale = [0, 1, 2].map(|column| matrix.column(column).norm());
+    if scale
+        .iter()
+        .any(|length| *length < ROUNDED_ZERO || !length.is_finite())
+    {
+        return None;
+    }
+    let turned = Matrix3::from_fn(|row, column| matrix[(row, column)] / scale[column]);
+    let error = (turned.transpose() * turned - Matrix3::identity()).amax();
+    (error <= UPRIGHT).then_some((turned, Some(scale)))
+}
+
+/// Axes of a scaled rotation stand upright but for rounding; those of a projection do not.
+const UPRIGHT: f64 = 1e-3;
 
 /// What programs write for a zero that was computed.
 const ROUNDED_ZERO: f64 = 1e-6;

@@ -29,6 +29,8 @@ pub(crate) enum Mark {
     Operator,
     /// A line begins; how far it is indented.
     Line(usize),
+    /// A console asks; what is typed in this line names what it answers.
+    Prompt,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +140,11 @@ impl<'t> Scanner<'t> {
         let length = rest.len() - inside.len();
         self.push(Mark::Line(indent), length);
         let prompt = prompt(inside);
-        self.at += prompt;
+        if inside.starts_with(['>', 'I', 'O']) && prompt > 0 {
+            self.push(Mark::Prompt, prompt);
+        } else {
+            self.at += prompt;
+        }
         // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
         let rest = self.rest();
         let name = name(rest);
@@ -188,11 +194,30 @@ impl<'t> Scanner<'t> {
                 self.at += tag;
             }
             '*' if is_checksum(rest) => self.at += 3,
+            // Bold face.
+            '*' if second == '*' && !rest[2..].starts_with(|mark: char| mark.is_ascii_digit()) => {
+                self.at += 2;
+            }
+            // What a name is explained by; a line of its own is read.
+            '#' if matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Label,
+                    ..
+                })
+            ) =>
+            {
+                self.at += rest.find('\n').unwrap_or(rest.len());
+            }
             _ if first.is_whitespace() => self.at += first.len_utf8(),
             '0'..='9' => self.number(0),
             '.' if second.is_ascii_digit() => self.number(0),
             '+' | '-' | '−' => self.sign(first),
             '"' | '\'' | '`' => self.quote(first),
+            '[' if index(rest) > 0 => {
+                let length = index(rest);
+                self.push(Mark::Word, length);
+            }
             // The rows and columns of R: `[1,]`, `[,2]`.
             '[' if row_label(rest) > 0 => self.at += row_label(rest),
             '(' | '[' | '{' => self.push(Mark::Open, 1),
@@ -206,7 +231,9 @@ impl<'t> Scanner<'t> {
             '±' => self.push(Mark::Word, first.len_utf8()),
             ',' => self.push(Mark::Comma, 1),
             ';' => self.push(Mark::Semicolon, 1),
-            '|' => self.push(Mark::Bar, 1),
+            '|' => self.bar(),
+            // The end of a tag, or of something that angle brackets hold.
+            '>' => self.push(Mark::Comma, 1),
             '*' | '×' | '·' | '^' | '√' => self.operator(first),
             '/' if matches!(
                 self.tokens.last(),
@@ -222,6 +249,26 @@ impl<'t> Scanner<'t> {
             '°' | 'º' | '˚' => self.push(Mark::Word, first.len_utf8()),
             _ if first.is_alphabetic() || first == '_' => self.word(),
             _ => self.at += first.len_utf8(),
+        }
+    }
+
+    /// A bar divides two things of a line; at its ends it is the frame of a matrix.
+    fn bar(&mut self) {
+        let is_frame = self.rest()[1..]
+            .trim_start_matches([' ', '\t', '\r'])
+            .starts_with('\n')
+            || self.rest()[1..].trim().is_empty()
+            || matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Line(_) | Mark::Label,
+                    ..
+                })
+            );
+        if is_frame {
+            self.at += 1;
+        } else {
+            self.push(Mark::Bar, 1);
         }
     }
 
@@ -287,7 +334,14 @@ impl<'t> Scanner<'t> {
                     })
                 ) =>
             {
-                self.push(Mark::Operator, length);
+                // Between lists a dash only divides: `1, 2, 3 - 4, 5, 6`.
+                let before = self
+                    .tokens
+                    .len()
+                    .checked_sub(2)
+                    .map(|at| self.tokens[at].mark);
+                let is_list = before == Some(Mark::Comma);
+                self.push(if is_list { Mark::Bar } else { Mark::Operator }, length);
             }
             _ => self.at += length,
         }
@@ -371,8 +425,19 @@ impl<'t> Scanner<'t> {
                 after.starts_with("::") || after.starts_with('.') || after.starts_with('-');
             let next = after.get(joint..).unwrap_or("");
             // `tf2-echo`, `body-to-world`; `x-0.5` is a difference.
-            if is_joint && next.starts_with(|first: char| first.is_alphabetic() || first == '_') {
+            let is_code = || {
+                let own = &next[..name(next)];
+                after.starts_with('-')
+                    && own.starts_with(|first: char| first.is_ascii_digit())
+                    && own.contains(|mark: char| mark.is_ascii_uppercase())
+            };
+            if is_joint
+                && (next.starts_with(|first: char| first.is_alphabetic() || first == '_')
+                    || is_code())
+            {
                 end += joint + name(next);
+            } else if element(after) > 0 {
+                end += element(after);
             } else if after.starts_with("[]") {
                 end += 2;
             } else {
@@ -413,6 +478,17 @@ impl<'t> Scanner<'t> {
                     && part.contains(|digit: char| digit.is_ascii_digit())
             })
             .count();
+        let is_flag = inside.starts_with("--") && inside[2..].starts_with(char::is_alphabetic);
+        if is_flag {
+            let span = Span::from(self.at + 1..self.at + 1 + length);
+            self.tokens.push(Token {
+                mark: Mark::Flag,
+                text: inside,
+                span,
+            });
+            self.at += length + 2;
+            return;
+        }
         let is_number = inside.trim().parse::<f64>().is_ok_and(f64::is_finite);
         if is_number {
             self.at += 1 + inside.len() - inside.trim_start().len();
@@ -465,6 +541,30 @@ impl<'t> Scanner<'t> {
             self.at += 1;
         }
     }
+}
+
+/// How many bytes at the start are the index of a member that is labelled: `[0] =`.
+fn index(text: &str) -> usize {
+    let length = element(text);
+    let after = text[length..].trim_start_matches(' ');
+    if length > 0 && after.starts_with(['=', ':']) && text[1..].find(']') == Some(length - 2) {
+        length
+    } else {
+        0
+    }
+}
+
+/// How many bytes at the start are places of an element: `[0]`, `[1][2]`.
+fn element(text: &str) -> usize {
+    let mut length = 0;
+    while let Some(inside) = text[length..].strip_prefix('[') {
+        let digits = inside.bytes().take_while(u8::is_ascii_digit).count();
+        if !(1..=2).contains(&digits) || !inside[digits..].starts_with(']') {
+            break;
+        }
+        length += digits + 2;
+    }
+    length
 }
 
 /// How many bytes at the start are the number of a row or a column as R prints it.

@@ -2,7 +2,7 @@
 
 use crate::decimal::nearest_double;
 use crate::problem::Span;
-use crate::text::record::group::Group;
+use crate::text::record::group::{Group, is_usual_name};
 
 /// A row of numbers and the names above them.
 pub(crate) struct Table<'t> {
@@ -15,114 +15,167 @@ pub(crate) struct Table<'t> {
 }
 
 /// How the cells of a line are divided.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Divided {
+    /// Bars, as in a table of Markdown.
+    Bars,
     Tabs,
-    Commas,
     Semicolons,
+    Commas,
+    Spaces,
     /// White space, commas and brackets.
     Anything,
 }
 
-const WAYS: [Divided; 4] = [
+const WAYS: [Divided; 6] = [
+    Divided::Bars,
     Divided::Tabs,
-    Divided::Commas,
     Divided::Semicolons,
+    Divided::Commas,
+    Divided::Spaces,
     Divided::Anything,
 ];
 
 /// The fewest columns of a table: a rotation has no fewer numbers.
 const FEWEST_COLUMNS: usize = 3;
 
-/// The most lines of names above each other.
+/// The most lines of names above each other, and the most that stand between them and the first row.
 const MOST_HEADS: usize = 4;
+
+/// The cells of a line, and its place.
+type Line<'t> = (Span, Vec<&'t str>);
 
 impl<'t> Table<'t> {
     pub(crate) fn of(text: &'t str) -> Option<Self> {
-        WAYS.into_iter().find_map(|way| Self::divided(text, way))
+        let by_channels = || Self::named(text, Divided::Spaces, channels);
+        let by_format = || Self::named(text, Divided::Commas, format_line);
+        by_channels()
+            .or_else(by_format)
+            .or_else(|| WAYS.into_iter().find_map(|way| Self::divided(text, way)))
+    }
+
+    /// The table whose names are found so, and whose rows have as many cells at their end.
+    fn named(
+        text: &'t str,
+        way: Divided,
+        names: impl Fn(&[Line<'t>]) -> Option<(usize, Vec<&'t str>)>,
+    ) -> Option<Self> {
+        let lines = lines_of(text, way);
+        let (at, names) = names(&lines)?;
+        let rows: Vec<&Line<'t>> = lines[at + 1..]
+            .iter()
+            .filter(|(_, cells)| {
+                let extra = cells.len().checked_sub(names.len());
+                extra.is_some_and(|extra| extra <= 1)
+                    && cells[cells.len() - names.len()..]
+                        .iter()
+                        .all(|cell| number(cell, way).is_some())
+            })
+            .collect();
+        let (span, first) = rows.first()?;
+        let cells = &first[first.len() - names.len()..];
+        let columns = names.iter().map(|name| vec![*name]).collect::<Vec<_>>();
+        Some(Self {
+            groups: groups(text, cells, &columns, way),
+            rows: rows.iter().map(|(span, _)| *span).collect(),
+            head: lines[at].0.to(*span),
+        })
     }
 
     fn divided(text: &'t str, way: Divided) -> Option<Self> {
-        let lines: Vec<(Span, Vec<&'t str>)> = lines(text)
-            .map(|span| (span, cells(&text[span.start..span.end], way)))
-            .filter(|(_, cells)| !cells.is_empty())
-            .collect();
-        let is_head = |cells: &[&str]| {
-            let names = cells.iter().filter(|cell| is_name(cell)).count();
-            cells.len() >= FEWEST_COLUMNS
-                && names >= FEWEST_COLUMNS
-                && cells.iter().all(|cell| cell.is_empty() || !is_number(cell))
-        };
+        let lines = lines_of(text, way);
         let is_row = |cells: &[&str], count: usize| {
-            cells.len() == count
-                && cells.iter().filter(|cell| is_number(cell)).count() >= FEWEST_COLUMNS
+            // The index of a row has no name.
+            let fits = cells.len() == count || (way == Divided::Spaces && cells.len() == count + 1);
+            fits && cells
+                .iter()
+                .filter(|cell| number(cell, way).is_some())
+                .count()
+                >= FEWEST_COLUMNS
         };
-        let at = (0..lines.len().saturating_sub(1)).find(|&at| {
+        let (at, row) = (0..lines.len()).find_map(|at| {
             let (_, head) = &lines[at];
-            is_head(head) && is_row(&lines[at + 1].1, head.len())
+            if !is_head(head, way) {
+                return None;
+            }
+            let next = lines[at + 1..].iter().take(MOST_HEADS);
+            let row = next
+                .clone()
+                .position(|(_, cells)| is_row(cells, head.len()))?;
+            // Only remarks stand between.
+            let between = next.take(row).all(|(_, cells)| {
+                cells.iter().all(|cell| number(cell, way).is_none()) || cells.len() < head.len()
+            });
+            between.then_some((at, at + 1 + row))
         })?;
         let count = lines[at].1.len();
         let first_head = (at.saturating_sub(MOST_HEADS)..at)
             .rev()
             .take_while(|&above| {
                 let cells = &lines[above].1;
-                cells.len() == count && cells.iter().all(|cell| !is_number(cell))
+                cells.len() == count && cells.iter().all(|cell| number(cell, way).is_none())
             })
             .last()
             .unwrap_or(at);
-        let rows: Vec<Span> = lines[at + 1..]
+        let rows: Vec<Span> = lines[row..]
             .iter()
             .take_while(|(_, cells)| is_row(cells, count))
             .map(|(span, _)| *span)
             .collect();
-        // A line of names over a matrix, or over lines that go on as something else, is no table.
-        let groups = lines[at + 1]
-            .1
-            .iter()
-            .enumerate()
-            .filter(|(_, cell)| is_number(cell))
-            .map(|(column, cell)| {
-                let path = std::iter::once("")
-                    .chain((first_head..=at).map(|line| lines[line].1[column]))
-                    .collect();
-                let start = cell.as_ptr() as usize - text.as_ptr() as usize;
-                Group {
-                    path,
-                    numbers: vec![nearest_double(cell.trim_start_matches('+'))],
-                    rows: vec![1],
-                    span: Span::from(start..start + cell.len()),
-                    scope: usize::MAX,
-                    is_computed: false,
-                    follows_bar: false,
-                    unit: None,
-                    has_commas: true,
-                }
+        let cells = &lines[row].1;
+        let columns: Vec<Vec<&str>> = (0..count)
+            .map(|column| {
+                (first_head..=at)
+                    .map(|line| lines[line].1[column])
+                    .collect()
             })
             .collect();
         Some(Self {
-            groups,
+            groups: groups(text, &cells[cells.len() - count..], &columns, way),
             rows,
             head: lines[first_head].0.to(lines[at].0),
         })
     }
 }
 
-/// The lines of a text that are not empty, without what marks them as a comment.
-fn lines(text: &str) -> impl Iterator<Item = Span> + '_ {
-    text.split_inclusive('\n').map(move |line| {
-        let start = line.as_ptr() as usize - text.as_ptr() as usize;
-        let marks = [' ', '\r', '\n', '#', '%', '/', '*'];
-        let inside = line.trim_start_matches(marks);
-        let start = start + line.len() - inside.len();
-        Span::from(start..start + inside.trim_end_matches([' ', '\r', '\n']).len())
-    })
+/// Whether cells are names: of words that only spaces divide, those of a rotation or a position.
+fn is_head(cells: &[&str], way: Divided) -> bool {
+    let names = cells.iter().filter(|cell| is_name(cell)).count();
+    let usual = cells.iter().filter(|cell| is_usual_name(cell)).count();
+    let is_sentence = matches!(way, Divided::Spaces | Divided::Anything);
+    names >= FEWEST_COLUMNS
+        && cells.iter().all(|cell| number(cell, way).is_none())
+        && (!is_sentence || usual >= FEWEST_COLUMNS)
+}
+
+fn lines_of(text: &str, way: Divided) -> Vec<Line<'_>> {
+    text.split_inclusive('\n')
+        .map(|line| {
+            let start = line.as_ptr() as usize - text.as_ptr() as usize;
+            let marks = [' ', '\r', '\n', '#', '%', '/', '*'];
+            let mut inside = line
+                .trim_start_matches(marks)
+                .trim_end_matches([' ', '\r', '\n']);
+            // LAMMPS: `ITEM: ATOMS id type x y z`.
+            inside = inside.strip_prefix("ITEM: ATOMS").unwrap_or(inside);
+            let start = if inside.is_empty() {
+                start
+            } else {
+                inside.as_ptr() as usize - text.as_ptr() as usize
+            };
+            (Span::from(start..start + inside.len()), cells(inside, way))
+        })
+        .filter(|(_, cells)| !cells.is_empty())
+        .collect()
 }
 
 fn cells(line: &str, way: Divided) -> Vec<&str> {
-    let marks: &[char] = match way {
-        Divided::Tabs => &['\t'],
-        Divided::Commas => &[','],
-        Divided::Semicolons => &[';'],
+    let mark = match way {
+        Divided::Bars => '|',
+        Divided::Tabs => '\t',
+        Divided::Commas => ',',
+        Divided::Semicolons => ';',
+        Divided::Spaces => return line.split_whitespace().collect(),
         Divided::Anything => {
             return line
                 .split(|mark: char| mark.is_whitespace() || ",;[](){}|".contains(mark))
@@ -130,19 +183,82 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
                 .collect();
         }
     };
-    if !line.contains(marks) {
+    let line = if way == Divided::Bars {
+        line.trim_matches('|')
+    } else {
+        line
+    };
+    // `|---|---|` divides the names from the rows.
+    let is_rule = line.chars().all(|rule| "-:|= ".contains(rule));
+    if is_rule || !line.contains(mark) {
         return Vec::new();
     }
-    line.split(marks)
+    line.split(mark)
         .map(|cell| cell.trim().trim_matches(['"', '\'']))
         .collect()
 }
 
-fn is_number(cell: &str) -> bool {
-    cell.parse::<f64>().is_ok_and(f64::is_finite)
-        && cell.contains(|digit: char| digit.is_ascii_digit())
+/// The number that a cell is; with a decimal comma where commas do not divide cells.
+fn number(cell: &str, way: Divided) -> Option<f64> {
+    let point = if way == Divided::Commas {
+        cell.to_owned()
+    } else {
+        cell.replace(',', ".")
+    };
+    let is_number = point.parse::<f64>().is_ok_and(f64::is_finite)
+        && point.contains(|digit: char| digit.is_ascii_digit());
+    is_number.then(|| nearest_double(point.trim_start_matches('+')))
 }
 
 fn is_name(cell: &str) -> bool {
     cell.starts_with(|first: char| first.is_alphabetic() || "_%.".contains(first))
+}
+
+/// The numbers of a row under the names of their columns.
+fn groups<'t>(
+    text: &'t str,
+    cells: &[&'t str],
+    columns: &[Vec<&'t str>],
+    way: Divided,
+) -> Vec<Group<'t>> {
+    cells
+        .iter()
+        .zip(columns)
+        .filter_map(|(cell, names)| {
+            let start = cell.as_ptr() as usize - text.as_ptr() as usize;
+            Some(Group {
+                path: std::iter::once("").chain(names.iter().copied()).collect(),
+                numbers: vec![number(cell, way)?],
+                rows: vec![1],
+                span: Span::from(start..start + cell.len()),
+                scope: usize::MAX,
+                is_computed: false,
+                follows_bar: false,
+                unit: None,
+                has_commas: true,
+                is_line: false,
+            })
+        })
+        .collect()
+}
+
+/// The channels of the joints of a BVH, in the order of the numbers of a row.
+fn channels<'t>(lines: &[Line<'t>]) -> Option<(usize, Vec<&'t str>)> {
+    let is_channels = |cells: &[&str]| cells.first() == Some(&"CHANNELS");
+    let names: Vec<&str> = lines
+        .iter()
+        .filter(|(_, cells)| is_channels(cells))
+        .flat_map(|(_, cells)| cells.iter().skip(2).copied())
+        .collect();
+    let last = lines.iter().rposition(|(_, cells)| is_channels(cells))?;
+    Some((last, names))
+}
+
+/// The names in the line that describes a record of an `ArduPilot` log: `FMT, 70, 28, ATT, QccC, TimeUS,Roll`.
+fn format_line<'t>(lines: &[Line<'t>]) -> Option<(usize, Vec<&'t str>)> {
+    const BEFORE_NAMES: usize = 5;
+    let at = lines
+        .iter()
+        .position(|(_, cells)| cells.first() == Some(&"FMT") && cells.len() > BEFORE_NAMES)?;
+    Some((at, lines[at].1[BEFORE_NAMES..].to_vec()))
 }

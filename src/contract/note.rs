@@ -55,6 +55,9 @@ impl Note {
 pub enum Fact {
     /// The norm is not 1, so the numbers were divided by it.
     Normalised(Normalised),
+    /// The norm is outside 0.9 to 1.1 and nothing says that the numbers are a quaternion, as which they
+    /// were read, divided by it; the suggestions of the note say what else they may be.
+    FarFromUnit(FarFromUnit),
     /// The text tells its own order, which is not the declared one.
     OrderFromText(OrderFromText),
     /// The order cannot be told from the text, and the other order is another rotation.
@@ -92,6 +95,7 @@ impl Fact {
     ///
     /// These stop:
     ///
+    /// - a norm that is far from 1: the numbers may be a point, or an axis and an angle;
     /// - an unknown constructor: the order was declared for numbers, and its own may be the other one;
     /// - an assumed unit of angles: degrees for radians are another rotation by a factor of 57;
     /// - assumed rows, and axes as columns: the other way is the inverse rotation.
@@ -120,7 +124,8 @@ impl Fact {
     #[must_use]
     pub const fn stops(&self) -> bool {
         match self {
-            Self::UnknownConstructor(_)
+            Self::FarFromUnit(_)
+            | Self::UnknownConstructor(_)
             | Self::AngleUnitAssumed(_)
             | Self::RowsAssumed(_)
             | Self::AxesAsColumns(_) => true,
@@ -144,6 +149,17 @@ impl Fact {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Normalised {
+    /// The norm as typed; absent where a double cannot hold it.
+    pub norm: Option<f64>,
+    /// The norm minus 1; absent where the norm is.
+    pub deviation: Option<f64>,
+}
+
+/// The data of [`Fact::FarFromUnit`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct FarFromUnit {
     /// The norm as typed; absent where a double cannot hold it.
     pub norm: Option<f64>,
     /// The norm minus 1; absent where the norm is.

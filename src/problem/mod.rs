@@ -175,8 +175,10 @@ pub enum ProblemCode {
     ProductOfUnits,
     /// A scalar part where a vector is meant.
     ScalarInVector,
-    /// A zero quaternion, which is no rotation.
+    /// A zero quaternion, or one that is zero but for rounding, which is no rotation.
     ZeroQuaternion,
+    /// Numbers of a norm that no quaternion of a rotation has.
+    FarFromUnit,
     /// A matrix with a negative determinant.
     Reflection,
     /// A matrix that is far from every rotation, or an axis of which a call makes none.

@@ -14,7 +14,7 @@ use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
-use crate::problem::suggestion::Suggestion;
+use crate::problem::suggestion::{Suggestions, suggestions};
 use crate::problem::{Field, Problem, Span, Wanted};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
@@ -45,7 +45,7 @@ pub(crate) struct Attitude {
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
     /// Texts that say what numbers are that a norm far from 1 leaves open.
-    pub(crate) meanings: Vec<Suggestion>,
+    pub(crate) meanings: Suggestions,
     pub(crate) declared: Convention,
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
@@ -154,7 +154,7 @@ impl Attitude {
                 _ => None,
             },
             row_marks: is_matrix.then_some(row_marks),
-            meanings: Vec::new(),
+            meanings: Suggestions::default(),
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
@@ -180,7 +180,7 @@ impl Attitude {
             parsed: Some(parsed),
             unit: None,
             row_marks: None,
-            meanings: Vec::new(),
+            meanings: Suggestions::default(),
             declared,
             tagged,
             rotation,
@@ -191,7 +191,9 @@ impl Attitude {
     fn with_meanings(self, text: &str) -> Self {
         let read = |text: &str| parse_rotation(text, self.declared.order).ok();
         let meanings = match &self.parsed {
-            Some(parsed) if self.is_far_from_unit() => meanings(text, parsed, &read),
+            Some(parsed) if self.is_far_from_unit() => {
+                suggestions(|| meanings(text, parsed, &read))
+            }
             _ => return self,
         };
         Self { meanings, ..self }

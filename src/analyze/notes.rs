@@ -60,7 +60,7 @@ impl Attitude {
         }
         facts.extend(self.extreme_fact());
         let notes = facts.into_iter().map(|fact| match fact {
-            Fact::FarFromUnit(_) => Note::new(field, fact).suggesting(self.meanings.clone()),
+            Fact::FarFromUnit(_) => Note::new(field, fact).suggesting(|| self.meanings.to_vec()),
             _ => Note::new(field, fact),
         });
         notes.collect()

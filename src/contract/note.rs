@@ -4,9 +4,7 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::problem::Field;
-use crate::problem::suggestion::Suggestion;
-#[cfg(not(feature = "whole"))]
-use crate::problem::suggestion::empty;
+use crate::problem::suggestion::{Suggestion, Suggestions, suggestions};
 use serde::{Deserialize, Serialize};
 
 /// One thing worth knowing, as data; the page has the words.
@@ -21,27 +19,27 @@ pub struct Note {
     pub stops: bool,
     /// Texts to write instead, where what is meant can be said in one: the likeliest first, mostly none.
     /// Only with the feature `whole`.
-    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "empty"))]
-    pub suggestions: Vec<Suggestion>,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Suggestion[]"))]
+    pub suggestions: Suggestions,
 }
 
 impl Note {
     /// The note of a fact, without suggestions.
     #[must_use]
-    pub const fn new(field: Field, fact: Fact) -> Self {
+    pub fn new(field: Field, fact: Fact) -> Self {
         Self {
             field,
             stops: fact.stops(),
             fact,
-            suggestions: Vec::new(),
+            suggestions: Suggestions::default(),
         }
     }
 
-    /// The same note with texts to write instead.
+    /// The same note with texts to write instead; a build without the sentences looks for none.
     #[must_use]
-    pub fn suggesting(self, suggestions: Vec<Suggestion>) -> Self {
+    pub fn suggesting(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
         Self {
-            suggestions,
+            suggestions: suggestions(find),
             ..self
         }
     }

@@ -38,7 +38,7 @@ fn without_texts(mut report: ReadReport) -> ReadReport {
             assumed.in_degrees = None;
             assumed.in_radians = None;
         }
-        note.suggestions.clear();
+        note.suggestions = Box::default();
     }
     report
 }

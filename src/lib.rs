@@ -126,7 +126,7 @@ pub use motion::integration::{NoStep, rotation_vector_runge_kutta_step};
 pub use motion::kinematics::{IntegrationOrder, RateAxes, action_jacobian};
 pub use motion::perturbation::{small_angle_matrix, small_angle_quaternion};
 pub use problem::fault::Fault;
-pub use problem::suggestion::{Remedy, Suggestion};
+pub use problem::suggestion::{Remedy, Suggestion, Suggestions};
 pub use problem::{Field, Problem, ProblemCode, Span};
 pub use rotation::euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
 pub use rotation::interpolation::NotFinite;

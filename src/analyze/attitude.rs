@@ -2,6 +2,7 @@
 
 use crate::analyze::describe::rules;
 use crate::analyze::matrix::of_matrix;
+use crate::analyze::norm::{check_norm, is_far_from_unit};
 use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
@@ -16,12 +17,14 @@ use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
+use crate::problem::suggestion::{Suggestions, suggestions};
 use crate::problem::{Field, Problem, Span, Wanted};
 #[cfg(feature = "whole")]
 use crate::problem::{ProblemCode, is_too_long};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
+use crate::text::mend::meanings::meanings;
 use crate::text::mend::unit::{self, UnitTexts};
 use crate::text::mend::with_suggestion;
 use crate::text::{
@@ -57,6 +60,8 @@ pub(crate) struct Attitude {
     pub(crate) unit: Option<AngleUnitAssumed>,
     /// What marks the rows of a matrix in the text.
     pub(crate) row_marks: Option<RowMarks>,
+    /// Texts that say what numbers are that a norm far from 1 leaves open.
+    pub(crate) meanings: Suggestions,
     pub(crate) declared: Convention,
     /// As typed, with the order that was used.
     pub(crate) tagged: TaggedQuaternion,
@@ -73,6 +78,7 @@ impl Attitude {
             let read = |candidate: &str| read(candidate).map(drop);
             with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
         })?;
+        let attitude = attitude.with_meanings(text);
         if attitude.unit.is_some() {
             return Ok(attitude);
         }
@@ -190,6 +196,7 @@ impl Attitude {
                 _ => None,
             },
             row_marks: is_matrix.then_some(row_marks),
+            meanings: Suggestions::default(),
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
@@ -209,17 +216,38 @@ impl Attitude {
                 ..declared
             },
         };
+        check_norm(&parsed, tagged.norm(), span)?;
         let rotation = Rotation::from_tagged(&tagged).map_err(|_| Fault::zero_quaternion(span))?;
         Ok(Self {
             form: Form::Quaternion,
             parsed: Some(parsed),
             unit: None,
             row_marks: None,
+            meanings: Suggestions::default(),
             declared,
             tagged,
             rotation,
             told: Vec::new(),
         })
+    }
+
+    /// With the texts that say what the numbers are, where their norm leaves it open.
+    fn with_meanings(self, text: &str) -> Self {
+        let read = |text: &str| parse_rotation(text, self.declared.order).ok();
+        let meanings = match &self.parsed {
+            Some(parsed) if self.is_far_from_unit() => {
+                suggestions(|| meanings(text, parsed, &read))
+            }
+            _ => return self,
+        };
+        Self { meanings, ..self }
+    }
+
+    /// Whether the norm leaves it open what the numbers are, which a build without suggestions does not
+    /// read.
+    pub(crate) fn is_far_from_unit(&self) -> bool {
+        let parsed = self.parsed.as_ref().filter(|_| cfg!(feature = "whole"));
+        parsed.is_some_and(|parsed| is_far_from_unit(parsed, self.tagged.norm()))
     }
 
     pub(crate) fn as_read(&self) -> ReadQuaternion {

@@ -45,7 +45,7 @@ pub(crate) fn write_in_order(
 
 /// A line that is written like a template.
 pub(crate) struct Line {
-    /// Its four numbers by name: `w: 1, x: 0, …`.
+    /// Its four numbers by the names of a quaternion: `qw: 1, qx: 0, …`.
     pub(crate) named: String,
     /// Where each number stands in that, and where in the line.
     places: [(Span, Span); 4],
@@ -144,6 +144,7 @@ fn numbers(template: &str, line: &[(usize, char)]) -> Option<Line> {
         if !named.is_empty() {
             named.push_str(", ");
         }
+        named.push('q');
         named.push_str(place.trim_matches(['{', '}']));
         named.push_str(": ");
         let start = named.len();

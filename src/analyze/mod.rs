@@ -22,6 +22,9 @@ pub mod identify;
 // Nine numbers to an attitude, or what is nearest to them.
 mod matrix;
 
+// Which norms are those of rotations.
+mod norm;
+
 // What a careful reader should know.
 mod notes;
 

@@ -4,8 +4,8 @@ use crate::analyze::attitude::Attitude;
 use crate::analyze::describe::{HALF_TURN_SCALAR, is_half_turn};
 use crate::analyze::plain_numbers::plain;
 use crate::contract::{
-    AxesAsColumns, Fact, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note, OrderAssumed,
-    OrderFromText, RowsAssumed, UnknownConstructor, UsedNearestRotation,
+    AxesAsColumns, Fact, FarFromUnit, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note,
+    OrderAssumed, OrderFromText, RowsAssumed, UnknownConstructor, UsedNearestRotation,
 };
 use crate::convention::Convention;
 use crate::convention::order::OrderSource;
@@ -30,6 +30,12 @@ const SMALLEST_CORRECTION_TOLD: f64 = 4.0 * f64::EPSILON;
 impl Attitude {
     pub(crate) fn notes(&self, field: Field) -> Vec<Note> {
         let mut facts = Vec::new();
+        let norm = self.norm();
+        let deviation = norm.map(|norm| norm - 1.0);
+        let is_far = self.is_far_from_unit();
+        if is_far {
+            facts.push(Fact::FarFromUnit(FarFromUnit { norm, deviation }));
+        }
         facts.extend(self.order_fact());
         facts.extend(self.unit.clone().map(Fact::AngleUnitAssumed));
         match self.row_marks {
@@ -45,9 +51,8 @@ impl Attitude {
                 correction: matrix.correction,
             }));
         }
-        let norm = self.norm();
-        let deviation = norm.map(|norm| norm - 1.0);
-        if deviation.is_none_or(|deviation| deviation.abs() > UNIT_NORM_TOLERANCE) {
+        let is_off = |deviation: f64| deviation.abs() > UNIT_NORM_TOLERANCE;
+        if !is_far && deviation.is_none_or(is_off) {
             facts.push(Fact::Normalised(Normalised { norm, deviation }));
         }
         if self.has_negative_scalar() {
@@ -55,7 +60,10 @@ impl Attitude {
         }
         facts.extend(self.extreme_fact());
         facts.extend(self.told.iter().cloned());
-        let notes = facts.into_iter().map(|fact| Note::new(field, fact));
+        let notes = facts.into_iter().map(|fact| match fact {
+            Fact::FarFromUnit(_) => Note::new(field, fact).suggesting(|| self.meanings.to_vec()),
+            _ => Note::new(field, fact),
+        });
         notes.collect()
     }
 

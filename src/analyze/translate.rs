@@ -17,7 +17,7 @@ use crate::frames::axis_mapping::{AxesChange, AxisMapping};
 use crate::library::endpoint::{Endpoint, Meaning};
 use crate::library::{Essentials, VectorLayout, essentials, stores_columns};
 use crate::problem::fault::Fault;
-use crate::problem::suggestion::Suggestion;
+use crate::problem::suggestion::{Suggestion, suggestions};
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem, ProblemCode, Span, is_too_long};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::{TaggedQuaternion, UNIT_NORM_TOLERANCE, is_representable};
@@ -156,10 +156,11 @@ fn as_typed(problem: Problem, line: &Line, text: &str) -> Problem {
     let suggestion = problem
         .suggestion
         .and_then(|suggestion| in_line(*suggestion));
+    let choices = suggestions(|| problem.choices.into_iter().filter_map(in_line).collect());
     Problem {
         span: line.place(problem.span).unwrap_or(Span::of_trimmed(text)),
         suggestion: suggestion.map(Box::new),
-        choices: problem.choices.into_iter().filter_map(in_line).collect(),
+        choices,
         ..problem
     }
 }

@@ -5,9 +5,7 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::problem::Field;
-use crate::problem::suggestion::Suggestion;
-#[cfg(not(feature = "whole"))]
-use crate::problem::suggestion::empty;
+use crate::problem::suggestion::{Suggestion, Suggestions, suggestions};
 use serde::{Deserialize, Serialize};
 
 /// One thing worth knowing, as data; the page has the words.
@@ -22,27 +20,27 @@ pub struct Note {
     pub stops: bool,
     /// Texts to write instead, where what is meant can be said in one: the likeliest first, mostly none.
     /// Only with the feature `whole`.
-    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "empty"))]
-    pub suggestions: Vec<Suggestion>,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Suggestion[]"))]
+    pub suggestions: Suggestions,
 }
 
 impl Note {
     /// The note of a fact, without suggestions.
     #[must_use]
-    pub const fn new(field: Field, fact: Fact) -> Self {
+    pub fn new(field: Field, fact: Fact) -> Self {
         Self {
             field,
             stops: fact.stops(),
             fact,
-            suggestions: Vec::new(),
+            suggestions: Suggestions::default(),
         }
     }
 
-    /// The same note with texts to write instead.
+    /// The same note with texts to write instead; a build without the sentences looks for none.
     #[must_use]
-    pub fn suggesting(self, suggestions: Vec<Suggestion>) -> Self {
+    pub fn suggesting(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
         Self {
-            suggestions,
+            suggestions: suggestions(find),
             ..self
         }
     }
@@ -56,6 +54,9 @@ impl Note {
 pub enum Fact {
     /// The norm is not 1, so the numbers were divided by it.
     Normalised(Normalised),
+    /// The norm is outside 0.9 to 1.1 and nothing says that the numbers are a quaternion, as which they
+    /// were read, divided by it; the suggestions of the note say what else they may be.
+    FarFromUnit(FarFromUnit),
     /// The text tells its own order, which is not the declared one.
     OrderFromText(OrderFromText),
     /// The order cannot be told from the text, and the other order is another rotation.
@@ -103,6 +104,7 @@ impl Fact {
     ///
     /// These stop:
     ///
+    /// - a norm that is far from 1: the numbers may be a point, or an axis and an angle;
     /// - an unknown constructor: the order was declared for numbers, and its own may be the other one;
     /// - an assumed unit of angles: degrees for radians are another rotation by a factor of 57;
     /// - assumed rows, and axes as columns: the other way is the inverse rotation.
@@ -131,7 +133,8 @@ impl Fact {
     #[must_use]
     pub const fn stops(&self) -> bool {
         match self {
-            Self::UnknownConstructor(_)
+            Self::FarFromUnit(_)
+            | Self::UnknownConstructor(_)
             | Self::AngleUnitAssumed(_)
             | Self::RowsAssumed(_)
             | Self::AxesAsColumns(_)
@@ -160,6 +163,17 @@ impl Fact {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct Normalised {
+    /// The norm as typed; absent where a double cannot hold it.
+    pub norm: Option<f64>,
+    /// The norm minus 1; absent where the norm is.
+    pub deviation: Option<f64>,
+}
+
+/// The data of [`Fact::FarFromUnit`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct FarFromUnit {
     /// The norm as typed; absent where a double cannot hold it.
     pub norm: Option<f64>,
     /// The norm minus 1; absent where the norm is.

@@ -1,6 +1,6 @@
 //! What is wrong with a text, whichever text of a request it is.
 
-use crate::problem::suggestion::Suggestion;
+use crate::problem::suggestion::{Suggestion, Suggestions, suggestions};
 use crate::problem::{Field, Problem, ProblemCode, Span};
 use std::fmt;
 
@@ -23,7 +23,7 @@ pub struct Fault {
     /// look for one.
     pub suggestion: Option<Box<Suggestion>>,
     /// The texts of which one has to be chosen, where what is meant is a question; mostly none.
-    pub choices: Box<[Suggestion]>,
+    pub choices: Suggestions,
 }
 
 /// The sentences of a problem.
@@ -87,7 +87,7 @@ impl Fault {
             expected,
             hint,
             suggestion: None,
-            choices: Box::default(),
+            choices: Suggestions::default(),
         }
     }
 
@@ -106,11 +106,8 @@ impl Fault {
     /// With the texts of which one has to be chosen; a build without the sentences looks for none.
     #[cfg(feature = "whole")]
     pub(crate) fn offering(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
-        if !cfg!(feature = "whole") {
-            return self;
-        }
         Self {
-            choices: find().into_boxed_slice(),
+            choices: suggestions(find),
             ..self
         }
     }

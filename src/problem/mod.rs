@@ -15,7 +15,7 @@ pub(crate) mod sentences;
 /// A text to write in place of one with a problem.
 pub mod suggestion;
 
-use crate::problem::suggestion::Suggestion;
+use crate::problem::suggestion::{Suggestion, Suggestions};
 use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 use std::ops::Range;
@@ -175,8 +175,10 @@ pub enum ProblemCode {
     ProductOfUnits,
     /// A scalar part where a vector is meant.
     ScalarInVector,
-    /// A zero quaternion, which is no rotation.
+    /// A zero quaternion, or one that is zero but for rounding, which is no rotation.
     ZeroQuaternion,
+    /// Numbers of a norm that no quaternion of a rotation has.
+    FarFromUnit,
     /// A matrix with a negative determinant.
     Reflection,
     /// A matrix that is far from every rotation, or an axis of which a call makes none.
@@ -239,8 +241,8 @@ pub struct Problem {
     pub suggestion: Option<Box<Suggestion>>,
     /// The texts of which a reader has to choose one, in the order in which they are offered, where what
     /// is meant is a question, as of several rotations; mostly none. Where and when as the suggestion.
-    #[cfg_attr(not(feature = "whole"), serde(serialize_with = "suggestion::empty"))]
-    pub choices: Box<[Suggestion]>,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Suggestion[]"))]
+    pub choices: Suggestions,
 }
 
 impl fmt::Display for Problem {

@@ -1,6 +1,7 @@
 //! Problems as lines of text, with carets under the place.
 
 use crate::problem::fault::Fault;
+use crate::problem::suggestion::Suggestion;
 use crate::problem::{Problem, floor_boundary, shorten};
 use unicode_width::UnicodeWidthStr;
 
@@ -9,7 +10,7 @@ const EXCERPT_CHARACTERS: usize = 32;
 
 impl Problem {
     /// The problem as lines of text: the message, the line at fault with carets under the place,
-    /// what was expected and what to try, and the text to write where there is one.
+    /// what was expected and what to try, and the texts to write where there are any.
     ///
     /// ```
     /// # use quatlas::{analyze, Convention, Outcome, ReadRequest, Request};
@@ -65,10 +66,8 @@ impl Fault {
         let marked = shorten(&marked, EXCERPT_CHARACTERS);
         let tail = shorten(&after, EXCERPT_CHARACTERS);
         let carets = "^".repeat(marked.width().max(1));
-        let write = self
-            .suggestion
-            .as_ref()
-            .map_or_else(String::new, |found| format!("write:\n{}\n", found.text));
+        let suggestions = self.suggestion.as_deref().into_iter();
+        let write: String = suggestions.chain(&self.choices).map(to_write).collect();
         format!(
             "{}: {}\n  | {}{}{}\n  | {}{}\nexpected: {}\ntry: {}\n{write}",
             self.code.name(),
@@ -82,4 +81,10 @@ impl Fault {
             self.hint,
         )
     }
+}
+
+/// `write:` or, of one of several, `write row 2:`, and the text on the next line.
+fn to_write(Suggestion { text, label, .. }: &Suggestion) -> String {
+    let label = label.iter().map(|label| format!(" {label}"));
+    format!("write{}:\n{text}\n", label.collect::<String>())
 }

@@ -28,6 +28,25 @@ impl Suggestion {
     }
 }
 
+/// Several of them, in the order in which they are offered.
+#[cfg(feature = "whole")]
+pub type Suggestions = Box<[Suggestion]>;
+
+/// Several of them, which are none: a build without the feature `whole` has no place for one.
+#[cfg(not(feature = "whole"))]
+pub type Suggestions = [Suggestion; 0];
+
+/// What is found; a build without the feature `whole` looks for none.
+#[cfg(feature = "whole")]
+pub(crate) fn suggestions(find: impl FnOnce() -> Vec<Suggestion>) -> Suggestions {
+    find().into()
+}
+
+#[cfg(not(feature = "whole"))]
+pub(crate) fn suggestions(_: impl FnOnce() -> Vec<Suggestion>) -> Suggestions {
+    []
+}
+
 /// That there is no suggestion, without the code that writes one.
 #[cfg(not(feature = "whole"))]
 pub(crate) fn none<S: Serializer>(
@@ -35,12 +54,6 @@ pub(crate) fn none<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     serializer.serialize_none()
-}
-
-/// That there are no suggestions, without the code that writes them.
-#[cfg(not(feature = "whole"))]
-pub(crate) fn empty<S: Serializer>(_: &[Suggestion], serializer: S) -> Result<S::Ok, S::Error> {
-    [(); 0].serialize(serializer)
 }
 
 /// What a [`Suggestion`] does to a text.

@@ -6,6 +6,7 @@ use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::description::list::{members, sequence_among_numbers};
 use crate::text::description::named_members::component;
+use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::settings::{Settings, without_settings};
 use crate::text::description::wording::{Spoken, spoken};
 use crate::text::description::{
@@ -136,7 +137,10 @@ fn by_members(
     if quaternion.order_source != OrderSource::Named {
         settings.check_order(Some(quaternion.order))?;
     }
-    Ok(ParsedRotation::Quaternion(quaternion))
+    Ok(ParsedRotation::Quaternion(ParsedQuaternion {
+        is_announced: quaternion.is_announced || members.said == Said::Quaternion,
+        ..quaternion
+    }))
 }
 
 fn by_words<'s, 't>(

@@ -27,6 +27,7 @@ mod marks;
 mod matrix_columns;
 mod misreadings;
 mod named_angles;
+mod norms;
 mod notes;
 mod problems;
 #[cfg(not(target_arch = "wasm32"))]

@@ -59,7 +59,7 @@ fn notes_say_what_was_done_and_what_cannot_be_told() {
 
     // Norm 1 but for the rounding of the text: nothing is said.
     assert_eq!(hamilton("w=0.6, x=0.8, y=0, z=0"), []);
-    let [Fact::Normalised(normalised)] = &hamilton("w=1, x=2, y=2, z=4")[..] else {
+    let [Fact::Normalised(normalised)] = &hamilton("qw=1, qx=2, qy=2, qz=4")[..] else {
         panic!("one fact")
     };
     assert_eq!(
@@ -114,7 +114,7 @@ fn what_a_double_cannot_hold_is_left_out_and_said() {
     );
     assert_eq!(left_out("1e300 + 1e300i", "1 0 0"), []);
     let report = read(
-        "w=1.7e308, x=1.7e308, y=0, z=0",
+        "qw=1.7e308, qx=1.7e308, qy=0, qz=0",
         "0 1 0",
         Convention::HAMILTON,
     );

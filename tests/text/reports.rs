@@ -219,21 +219,24 @@ fn numbers_for_other_axes_never_vanish() {
     let wanted = translated("w: 1, x: 0, y: 0, z: 0").to.array;
     assert_eq!(wanted.map(f64::abs), [0.5; 4]);
     for text in [
-        "w: 5e-324, x: 0, y: 0, z: 0",
-        "w: 1e-310, x: 0, y: 0, z: 0",
-        "w: 4e-308, x: 0, y: 0, z: 0",
+        "qw: 5e-324, qx: 0, qy: 0, qz: 0",
+        "qw: 1e-310, qx: 0, qy: 0, qz: 0",
+        "qw: 4e-308, qx: 0, qy: 0, qz: 0",
         // Its norm is √2 times the largest double.
-        "w: 1.7976931348623157e308, x: 1.7976931348623157e308, y: 0, z: 0",
+        "qw: 1.7976931348623157e308, qx: 1.7976931348623157e308, qy: 0, qz: 0",
     ] {
         let report = translated(text);
         assert!(told(&report), "{text}");
         let norm = report.to.array.iter().map(|n| n * n).sum::<f64>();
         assert!((norm - 1.0).abs() < 1e-15, "{text}: {:?}", report.to.array);
     }
-    assert_eq!(translated("w: 5e-324, x: 0, y: 0, z: 0").to.array, wanted);
+    assert_eq!(
+        translated("qw: 5e-324, qx: 0, qy: 0, qz: 0").to.array,
+        wanted
+    );
     // Where doubles hold it, the norm is kept, and nothing is said.
     for norm in [1e-307, 0.2, 1.5e308] {
-        let report = translated(&format!("w: {norm:e}, x: 0, y: 0, z: 0"));
+        let report = translated(&format!("qw: {norm:e}, qx: 0, qy: 0, qz: 0"));
         assert_eq!(report.to.array, wanted.map(|part| part * norm));
         assert!(!told(&report), "{norm}");
     }

@@ -6,6 +6,7 @@ import type {
   Note,
   ReadQuaternion,
   ReadReport,
+  Suggestion,
 } from "../engine.ts";
 import { namesOf, otherOrder } from "../model/component_order.ts";
 import { declaredConvention, differing, operatorOf } from "../model/conventions.ts";
@@ -21,6 +22,8 @@ import { read } from "./read_on.ts";
 export interface Fix {
   /** What it does, as its button says. */
   label: string;
+  /** What it writes, where the button shows it. */
+  text?: string | undefined;
   /** A new text ends what was to be said; a declaration may leave it to be said the other way round. */
   changes: "text" | "declaration";
   /** Computed where it is used, not on every keystroke; nothing where it cannot be. */
@@ -54,19 +57,43 @@ function textNameOf(field: Field, view: View): TextName | undefined {
 export function fixOfProblem(store: Store, field: Field): Fix | undefined {
   const name = textNameOf(field, store.state.value.view);
   const suggestion = store.problemOf(field)?.suggestion;
-  if (name === undefined || suggestion === undefined) return undefined;
-  return {
-    label: remedyWords[suggestion.remedy],
-    changes: "text",
-    change: () => ({ [name]: suggestion.text }),
-  };
+  return name && suggestion && writing(name, suggestion);
 }
 
+/** The texts of which a problem asks to choose one; no key chooses. */
+export function choicesOfProblem(store: Store, field: Field): Fix[] {
+  const name = textNameOf(field, store.state.value.view);
+  const choices = store.problemOf(field)?.choices ?? [];
+  return name === undefined ? [] : choices.map((choice) => writing(name, choice));
+}
+
+const writing = (
+  name: TextName,
+  { remedy, text, label = remedyWords[remedy] }: Suggestion,
+): Fix => ({
+  label,
+  text,
+  changes: "text",
+  change: () => ({ [name]: text }),
+});
+
 /** What a note can be answered with, in the order of the buttons. */
-export function fixesOfNote(store: Store, { field, fact }: Note): Fix[] {
-  const { view } = store.state.value;
-  const name = textNameOf(field, view);
+export function fixesOfNote(store: Store, note: Note): Fix[] {
+  const name = textNameOf(note.field, store.state.value.view);
   if (name === undefined) return [];
+  const { fact, suggestions } = note;
+  const offered = suggestions.map((suggestion) => {
+    const fix = writing(name, suggestion);
+    if (fact.kind !== "far-from-unit" || suggestion.remedy !== "as-quaternion") return fix;
+    // That says it all, without the same numbers once more.
+    return { ...fix, label: fixWords.ofNorm(fact.norm), text: undefined };
+  });
+  return [...ownFixes(store, note, name), ...offered];
+}
+
+/** Those that follow from the kind of a note. */
+function ownFixes(store: Store, { field, fact }: Note, name: TextName): Fix[] {
+  const { view } = store.state.value;
   const symbol = symbolOf[field];
   const writes = (label: string, text: (report: ReadReport) => string): Fix => ({
     label,
@@ -124,13 +151,22 @@ export function negates(store: Store, field: Field, name: TextName): Fix {
   };
 }
 
+/** Those that stop the reader before the others. */
+export const stopsFirst = (notes: readonly Note[]) => [
+  ...notes.filter(({ stops }) => stops),
+  ...notes.filter(({ stops }) => !stops),
+];
+
 /** The notes of the view that is shown, where they are about its texts as they are now. */
 function currentNotes(store: Store): readonly Note[] {
   const { view } = store.state.value;
   if (view !== "read" && view !== "compose" && view !== "translate") return [];
   const result = store[view].value;
-  return result?.freshness === "current" ? result.report.notes : [];
+  return result?.freshness === "current" ? stopsFirst(result.report.notes) : [];
 }
+
+/** What stops the reader of the texts as they are now. */
+export const stopping = (store: Store) => currentNotes(store).filter(({ stops }) => stops);
 
 /**
  * The fix that the key applies in a field, which its button says: one that settles something before

@@ -156,11 +156,10 @@ impl Fault {
 
 /// A number with about four digits, for a sentence. By whole numbers: how floating-point numbers are
 /// written exactly is 9 kB of compressed wasm that nothing else needs.
-fn short(number: f64) -> String {
+pub(crate) fn short(number: f64) -> String {
     if number == 0.0 || (1e-2..1e6).contains(&number) {
         let (whole, part) = whole_and_part(number, 10_000);
-        let text = format!("{whole}.{part:04}");
-        return text.trim_end_matches('0').trim_end_matches('.').to_owned();
+        return without_zeros(&format!("{whole}.{part:04}")).to_owned();
     }
     let (mut mantissa, mut exponent) = (number, 0);
     while mantissa >= 10.0 && mantissa.is_finite() {
@@ -174,7 +173,12 @@ fn short(number: f64) -> String {
         (mantissa, exponent) = (mantissa / 10.0, exponent + 1);
     }
     let (whole, part) = whole_and_part(mantissa, 1000);
-    format!("{whole}.{part:03}e{exponent}")
+    let mantissa = format!("{whole}.{part:03}");
+    format!("{}e{exponent}", without_zeros(&mantissa))
+}
+
+fn without_zeros(decimal: &str) -> &str {
+    decimal.trim_end_matches('0').trim_end_matches('.')
 }
 
 /// A number from 0 to 10⁶ as a whole number and as many thousandths or such.

@@ -12,6 +12,9 @@ mod mark;
 // Of matrices.
 pub(crate) mod matrix;
 
+// Of quaternions whose norm is not that of a rotation.
+mod norm;
+
 // Of rotations and what stands for them.
 mod rotation;
 

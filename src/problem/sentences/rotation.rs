@@ -28,6 +28,17 @@ impl Fault {
         })
     }
 
+    pub(crate) fn vector_for_quaternion(span: Span, name: &str) -> Self {
+        Self::told(ProblemCode::NotAQuaternion, span, || {
+            let name = shorten(name, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{name} holds a vector or a point, which is not a rotation"),
+                Wanted::Quaternion.in_words(),
+                "write the numbers alone if they are a rotation all the same",
+            )
+        })
+    }
+
     pub(crate) fn not_a_quaternion(span: Span, what: &str) -> Self {
         Self::told(ProblemCode::NotAQuaternion, span, || {
             Words::new(
@@ -120,16 +131,6 @@ impl Fault {
             "a vector has no scalar part",
             "x, y and z, or a sum of i, j and k",
             "remove the scalar",
-        )
-    }
-
-    pub(crate) fn zero_quaternion(span: Span) -> Self {
-        Self::new(
-            ProblemCode::ZeroQuaternion,
-            span,
-            "all four components are zero: this is not a rotation",
-            "at least one component other than zero",
-            "write the identity: w=1, x=0, y=0, z=0",
         )
     }
 

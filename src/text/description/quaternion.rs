@@ -23,6 +23,9 @@ pub struct ParsedQuaternion {
     pub order_source: OrderSource,
     /// The name of a call that is not known here, so that its order is only assumed.
     pub unknown_constructor: Option<String>,
+    /// Whether the text itself says that its numbers are a quaternion: by a word or a label, a
+    /// constructor, the units i, j and k, or names such as `qw`.
+    pub is_announced: bool,
 }
 
 /// How much of an unknown constructor's name a note repeats, in characters.
@@ -35,6 +38,7 @@ struct Order {
     order: ComponentOrder,
     source: OrderSource,
     unknown_constructor: Option<String>,
+    is_announced: bool,
 }
 
 impl Order {
@@ -44,6 +48,15 @@ impl Order {
             order,
             source,
             unknown_constructor: None,
+            is_announced: self.is_announced,
+        }
+    }
+
+    /// That the text says that it is a quaternion.
+    fn announced(self) -> Self {
+        Self {
+            is_announced: true,
+            ..self
         }
     }
 
@@ -66,6 +79,7 @@ impl Order {
             order: self.order,
             order_source: self.source,
             unknown_constructor: self.unknown_constructor,
+            is_announced: self.is_announced,
         }
     }
 }
@@ -91,6 +105,7 @@ pub(crate) fn quaternion(
             None => OrderSource::Declared,
         },
         unknown_constructor: None,
+        is_announced: false,
     };
     read_quaternion(entries, span, order, Place::Open)
 }
@@ -101,6 +116,11 @@ fn read_quaternion(
     order: Order,
     place: Place,
 ) -> Result<ParsedQuaternion, Fault> {
+    let order = if says_so(entries) {
+        order.announced()
+    } else {
+        order
+    };
     if let Some(node) = orientation(entries)? {
         return read_members(node, order, place);
     }
@@ -150,11 +170,29 @@ fn read_quaternion(
     if let Some(sum) = sum_of_members(&entries, &values)? {
         let [x, y, z] = sum.units.unwrap_or_default();
         let quaternion = Quaternion::new(sum.scalar, x, y, z);
-        return Ok(order.by_names().with(quaternion));
+        return Ok(order.by_names().announced().with(quaternion));
     }
     let array = numbers(&entries, &values, span, Wanted::Quaternion)?;
     let [w, x, y, z] = order.order.components(array);
     Ok(order.with(Quaternion::new(w, x, y, z)))
+}
+
+/// Whether a name of the whole or of a component, or the heading above it, says that it is a quaternion.
+///
+/// Without the feature `whole` none does: what only a name tells is left to the whole core.
+fn says_so(entries: &[Entry<'_>]) -> bool {
+    if !cfg!(feature = "whole") {
+        return false;
+    }
+    let path = |name| str::rsplit_once(name, ['.', ':']).map(|(path, _)| path);
+    let mut keys = entries.iter().filter_map(|entry| entry.key);
+    keys.any(|key| {
+        let names = [Some(key.name), key.heading, path(key.name)];
+        names
+            .into_iter()
+            .flatten()
+            .any(constructors::says_quaternion)
+    })
 }
 
 /// Whether a list is a quaternion by its count, and no vector part.
@@ -188,14 +226,20 @@ fn read_members(node: &Node<'_>, order: Order, place: Place) -> Result<ParsedQua
         }
     };
     let order = match (scalar_first_argument(arguments)?, constructors::call(name)) {
+        (_, Call::Vector) if place == Place::Open => {
+            return Err(Fault::vector_for_quaternion(node.span, name));
+        }
         (_, Call::Other | Call::Vector) => {
             return Err(Fault::not_applied(node.span, name, Wanted::Quaternion));
         }
         (Some(named), _) | (None, Call::Ordered(named)) => {
-            order.told(named, OrderSource::Constructor)
+            order.told(named, OrderSource::Constructor).announced()
         }
-        (None, Call::Unordered) if order.source == OrderSource::Declared => order.unknown(name),
-        (None, Call::Unordered | Call::Container) => order,
+        (None, Call::Unordered) if order.source == OrderSource::Declared => {
+            order.unknown(name).announced()
+        }
+        (None, Call::Unordered) => order.announced(),
+        (None, Call::Container) => order,
     };
     let mut members = arguments.clone();
     members.retain(|entry| !is_scalar_first(entry));

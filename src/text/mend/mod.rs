@@ -4,6 +4,9 @@
 //! none is offered, and no number that was typed becomes another. Each rewritten text is read before it
 //! is offered, so taking it never leads to another problem.
 
+// What numbers may be meant as whose norm is far from 1.
+pub(crate) mod meanings;
+
 // The ways in which a text is rewritten.
 pub(crate) mod rewrites;
 

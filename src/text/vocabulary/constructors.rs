@@ -168,6 +168,17 @@ pub(crate) fn is_derived_label(name: &str) -> bool {
     name.ends_with(".T") || words.any(|word| DERIVED.contains(&word))
 }
 
+/// Whether a label says that what it names is a quaternion: `q`, `q_wb`, `orientation`; a pose holds more.
+pub(crate) fn says_quaternion(label: &str) -> bool {
+    const WORDS: [&str; 4] = ["quat", "orientation", "rotation", "attitude"];
+    let label = last_segment(label);
+    let lower = label.to_ascii_lowercase();
+    // `qWB` and `qx`, not `quality`.
+    let is_symbol = lower.starts_with('q')
+        && (label.len() <= 3 || !label[1..].starts_with(|next: char| next.is_ascii_lowercase()));
+    is_symbol || WORDS.iter().any(|word| lower.contains(word))
+}
+
 /// Whether a label announces something else than a quaternion or a vector.
 pub(crate) fn is_other_label(name: &str) -> bool {
     if names_both_orders(name) {

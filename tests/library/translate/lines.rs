@@ -93,7 +93,7 @@ fn numbers_of_a_line_are_written_as_doubles() {
         ("2.5e200", "2.5e200"),
     ];
     for (number, expected) in written {
-        let text = format!("w: 1, x: {number}, y: 0, z: 1");
+        let text = format!("qw: 1, qx: {number}, qy: 0, qz: 1");
         let line = between(&text, "eigen", "eigen").to.construct;
         let expected = format!("Eigen::Quaterniond q(1.0, {expected}, 0.0, 1.0);");
         assert_eq!(line, Some(expected));

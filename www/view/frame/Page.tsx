@@ -7,6 +7,7 @@ import { shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import * as words from "../../words/frame/page.tsx";
+import { spokenStops } from "../parts/Notes.tsx";
 import { Read } from "../read/Read.tsx";
 import { Announcements } from "./Announcements.tsx";
 import { Lazy } from "./Lazy.tsx";
@@ -101,11 +102,15 @@ function Shown({ view, store }: { view: View; store: Store }): VNode {
 
 /** What a screen reader hears when the result changes. */
 function spoken(store: Store): string {
-  const { view, digits, unit } = store.state.value;
   const problems = store.problems.value.map((problem) =>
     words.spokenProblem(symbolOf[problem.field], problem),
   );
   if (problems.length > 0) return problems.join(" ");
+  return [...spokenStops(store), spokenResult(store)].join(" ");
+}
+
+function spokenResult(store: Store): string {
+  const { view, digits, unit } = store.state.value;
   switch (view) {
     case "read":
       return spokenTurn(store, digits, unit);

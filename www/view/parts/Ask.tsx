@@ -1,6 +1,6 @@
 // What is asked: text fields and the declared convention.
 import type { ComponentChildren } from "preact";
-import { fixOfProblem } from "../../action/fixes.ts";
+import { choicesOfProblem, fixOfProblem } from "../../action/fixes.ts";
 import { readOn } from "../../action/read_on.ts";
 import type { Problem } from "../../engine.ts";
 import type { Freshness, Store } from "../../state/store.ts";
@@ -114,10 +114,11 @@ function UnsaidProblem({ store, problem: { field, code }, children }: ProblemPro
 /** A problem, what was expected, and what to do: by hand, or with the button that does it. */
 function ProblemWords({
   store,
-  problem: { field, message, expected, hint, suggestion },
+  problem: { field, message, expected, hint },
   children,
 }: ProblemProps) {
   const fix = fixOfProblem(store, field);
+  const fixes = [...(fix ? [fix] : []), ...choicesOfProblem(store, field)];
   return (
     <div class="problem" id={problemId(field)}>
       <p class="problem-head">
@@ -129,15 +130,13 @@ function ProblemWords({
       <p class="problem-help">
         <span>
           <span class="problem-key">{problemWords.expected}</span> {expected}.{" "}
-          <span class={fix && "problem-by-hand"}>
+          <span class={fixes.length > 0 ? "problem-by-hand" : undefined}>
             <span class="problem-key">{problemWords.try}</span> {hint}.
           </span>
         </span>
-        {fix && (
-          <FixButton store={store} field={field} fix={fix}>
-            <code class="fix-text">{suggestion?.text}</code>
-          </FixButton>
-        )}
+        {fixes.map((fix) => (
+          <FixButton key={`${fix.label} ${fix.text}`} store={store} field={field} fix={fix} />
+        ))}
       </p>
     </div>
   );

@@ -7,6 +7,7 @@ import type { Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import * as words from "../../words/parts/ask.tsx";
 import { MarkedText } from "./MarkedText.tsx";
+import { stopIds } from "./Notes.tsx";
 import "./text_field.css";
 
 export const problemId = (field: Field) => `problem-${field}`;
@@ -46,7 +47,7 @@ export function TextField({
           name={name}
           text={text}
           problem={problem}
-          describedBy={problem && problemId(field)}
+          describedBy={problem ? problemId(field) : stopIds(store, field).join(" ") || undefined}
           onInput={(typed) => store.set({ [name]: typed })}
           onAltEnter={() => applyFirst(store, field)}
         />

@@ -1,7 +1,7 @@
 // The Translate view: four numbers from one library or convention to another.
 import { toFragment } from "../../address/fragment.ts";
 import { endQuaternion } from "../../copy/values.ts";
-import type { TranslateReport } from "../../engine.ts";
+import type { Fact, TranslateReport } from "../../engine.ts";
 import { inverseAxes } from "../../model/axis_mapping.ts";
 import { type Digits, opening, type PageState } from "../../model/page_state.ts";
 import { exact, shown } from "../../number/format.ts";
@@ -232,7 +232,7 @@ function Result({
             side={side}
             name={names[side]}
             end={report[side]}
-            isUnit={report.notes.every(({ fact }) => fact.kind !== "normalised")}
+            isUnit={report.notes.every(({ fact }) => !ofOtherNorm.includes(fact.kind))}
             engine={store.engine}
             digits={digits}
           />
@@ -246,6 +246,9 @@ function Result({
     </>
   );
 }
+
+/** What is said of numbers whose norm is not 1. */
+const ofOtherNorm: readonly Fact["kind"][] = ["normalised", "far-from-unit"];
 
 /** What the ends of a report are called, which are not those of the state while a text has a problem. */
 function namesOf(report: TranslateReport, store: Store): EndNames {

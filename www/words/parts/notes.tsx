@@ -30,6 +30,10 @@ const rough = (number: number, precision = 2) =>
 
 const roughDegrees = (degrees: number) => shownRoughAngle(degrees, "degrees", 2);
 
+/** The first thing that numbers of such a norm may be; absent where a double cannot hold it. */
+const aQuaternion = (norm: number | undefined) =>
+  `A quaternion of norm ${norm === undefined ? "beyond a double" : rough(norm, 3)}`;
+
 /** What there is to know, as one plain line. */
 export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): ComponentChildren {
   const symbol = <var>{symbolOf[field]}</var>;
@@ -41,6 +45,13 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
         <>
           The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
           <code>{rough(fact.deviation)}</code>: the matrices use {symbol}/|{symbol}|.
+        </>
+      );
+    case "far-from-unit":
+      return (
+        <>
+          {aQuaternion(fact.norm)}? Four such numbers are often a point, an axis and an angle, or a
+          position with a yaw or a time.
         </>
       );
     case "order-from-text":
@@ -168,7 +179,11 @@ export const fixWords = {
   columns: "Read column by column",
   rows: "Read row by row",
   nearestRotation: "Write the nearest rotation",
+  ofNorm: aQuaternion,
 };
+
+/** What is heard of a note that stops the reader. */
+export const spokenStop = (symbol: string, words: string) => `Check ${symbol}: ${words}`;
 
 /** What was done, for those who do not see it. */
 export const doneWords = (label: string) => `Done: ${label}.`;

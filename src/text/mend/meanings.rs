@@ -1,0 +1,156 @@
+//! What four numbers may be meant as whose norm is not that of a rotation, each as a text that says so.
+
+use crate::convention::angle::{AngleUnit, UnitSource};
+use crate::convention::order::OrderSource;
+use crate::problem::suggestion::{Remedy, Suggestion};
+use crate::text::description::ParsedRotation;
+use crate::text::description::angle::FULL_TURN_RAD;
+use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::mend::{LONGEST_TEXT_BYTES, exact};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
+
+/// How far from 1 an axis of length 1 is with two decimals, at most.
+const ROUNDING_OF_TWO_DECIMALS: f64 = 0.01;
+
+/// What two decimals make of an angle, at most half of it: 1.57 is a quarter turn.
+const NEARLY_SAME_ANGLE_RAD: f64 = 0.002;
+
+/// The step of angles that are familiar, 15°.
+const FAMILIAR_STEP_DEG: f64 = 15.0;
+
+/// A coordinate of this size is no metre and no millimetre, but a time.
+const LARGEST_COORDINATE: f64 = 1e6;
+
+/// The texts that say what the numbers are, the likeliest first; `read` tells how a text is read. Only
+/// what is likely is offered beside the quaternion that was read.
+pub(crate) fn meanings(
+    text: &str,
+    parsed: &ParsedQuaternion,
+    read: &dyn Fn(&str) -> Option<ParsedRotation>,
+) -> Vec<Suggestion> {
+    if text.len() > LONGEST_TEXT_BYTES {
+        return Vec::new();
+    }
+    let of_quaternion = as_quaternion(text, parsed, read);
+    let others = others(parsed).into_iter();
+    let others = others.filter(|Candidate { suggestion, unit }| {
+        let is_in_unit = |read: ParsedRotation| read.unit() == Some(UnitSource::Written(*unit));
+        read(&suggestion.text).is_some_and(is_in_unit)
+    });
+    of_quaternion
+        .into_iter()
+        .chain(others.map(|candidate| candidate.suggestion))
+        .collect()
+}
+
+/// The text that says that it is the quaternion as which it was read.
+fn as_quaternion(
+    text: &str,
+    parsed: &ParsedQuaternion,
+    read: &dyn Fn(&str) -> Option<ParsedRotation>,
+) -> Option<Suggestion> {
+    let text = text.trim();
+    let announced = ParsedQuaternion {
+        is_announced: true,
+        ..parsed.clone()
+    };
+    let numbers = in_order(parsed).map(exact).join(" ");
+    let texts = [
+        format!("quaternion {text}"),
+        // Before a bracket the word alone would be a call.
+        format!("quaternion: {text}"),
+        format!("quaternion {numbers}"),
+    ];
+    let mut said = texts.into_iter().filter(|text| {
+        read(text).is_some_and(|read| read == ParsedRotation::Quaternion(announced.clone()))
+    });
+    said.next()
+        .map(|text| Suggestion::new(Remedy::AsQuaternion, text))
+}
+
+/// A text to try, and the unit that it has to be read in.
+struct Candidate {
+    suggestion: Suggestion,
+    unit: AngleUnit,
+}
+
+fn others(parsed: &ParsedQuaternion) -> Vec<Candidate> {
+    let [first, second, third, fourth] = in_order(parsed);
+    let mut found = Vec::new();
+    let mut add = |remedy, angle: f64, text: &dyn Fn(String) -> String| {
+        let (unit, word) = unit_of(angle);
+        let text = text(format!("{}{word}", exact(angle)));
+        let suggestion = Suggestion::new(remedy, text);
+        found.push(Candidate { suggestion, unit });
+    };
+    let list = |axis: [f64; 3]| format!("[{}]", axis.map(exact).join(" "));
+    let front = [first, second, third];
+    let back = [second, third, fourth];
+    if are_axis_and_angle(front, fourth) {
+        add(Remedy::AsAxisAngle, fourth, &|angle| {
+            format!("axis-angle {} {angle}", list(front))
+        });
+    }
+    // By names the scalar stands last here, and it alone can be the angle; where it is one by name, it
+    // is none about the vertical.
+    if parsed.order_source == OrderSource::Named {
+        return found;
+    }
+    if are_axis_and_angle(back, first) {
+        add(Remedy::AsAxisAngle, first, &|angle| {
+            format!("{angle} about {}", list(back))
+        });
+    }
+    if are_position_and_yaw(front, fourth) {
+        add(Remedy::AsYaw, fourth, &|angle| format!("{angle} about z"));
+    }
+    found
+}
+
+/// The numbers as they stand in the text; by names x, y, z, w, as most write them.
+fn in_order(parsed: &ParsedQuaternion) -> [f64; 4] {
+    let nalgebra::Quaternion { coords } = parsed.quaternion;
+    match parsed.order_source {
+        OrderSource::Named => coords.into(),
+        _ => parsed.order.array([coords.w, coords.x, coords.y, coords.z]),
+    }
+}
+
+/// An axis of length 1 and any angle; or one such as `1 1 0`, and an angle that is familiar.
+fn are_axis_and_angle(axis: [f64; 3], angle: f64) -> bool {
+    let length = Vector3::from(axis).norm();
+    let is_unit = (length - 1.0).abs() <= ROUNDING_OF_TWO_DECIMALS;
+    let is_diagonal = axis.iter().all(|number| [-1.0, 0.0, 1.0].contains(number));
+    let is_angle = angle != 0.0 && angle.abs() <= 360.0;
+    is_angle && (is_unit || (is_diagonal && is_familiar(angle)))
+}
+
+/// Coordinates that are no axis, and an angle that is up to half a turn.
+fn are_position_and_yaw(position: [f64; 3], yaw: f64) -> bool {
+    let position = Vector3::from(position);
+    let is_axis = (position.norm() - 1.0).abs() <= ROUNDING_OF_TWO_DECIMALS;
+    let is_yaw = yaw.fract() != 0.0 && yaw.abs() <= PI + NEARLY_SAME_ANGLE_RAD;
+    let is_half_turn_at_most = yaw.abs() <= 180.0;
+    let is_place = position.amax() < LARGEST_COORDINATE && !is_axis;
+    is_place && (is_yaw || (is_familiar(yaw) && is_half_turn_at_most))
+}
+
+/// A multiple of 15°, in the unit in which an angle of this size is read.
+fn is_familiar(angle: f64) -> bool {
+    let (degrees, tolerance) = match unit_of(angle).0 {
+        AngleUnit::Degrees => (angle, 0.0),
+        AngleUnit::Radians => (angle.to_degrees(), NEARLY_SAME_ANGLE_RAD.to_degrees()),
+    };
+    let steps = (degrees / FAMILIAR_STEP_DEG).round();
+    steps != 0.0 && (degrees - steps * FAMILIAR_STEP_DEG).abs() <= tolerance
+}
+
+/// Radians up to a full turn, as where an angle has no unit.
+fn unit_of(angle: f64) -> (AngleUnit, &'static str) {
+    if angle.abs() <= FULL_TURN_RAD {
+        (AngleUnit::Radians, "rad")
+    } else {
+        (AngleUnit::Degrees, "deg")
+    }
+}

@@ -12,6 +12,10 @@ pub(crate) mod constructors;
 // Words of a declaration.
 pub(crate) mod declaration;
 
+// What the words of labels say.
+#[allow(dead_code, reason = "what reads labels asks it next")]
+pub(crate) mod labels;
+
 // Words that are known before numbers.
 pub(crate) mod phrases;
 

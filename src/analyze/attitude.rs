@@ -72,7 +72,9 @@ impl Attitude {
         let RotationText {
             rotation: parsed,
             row_marks,
+            told,
         } = read_rotation(text, convention.order)?;
+        told.check(&parsed, convention, matrix)?;
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
                 return Self::of_quaternion(parsed, convention, span);

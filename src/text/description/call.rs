@@ -2,11 +2,12 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
-use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
 use crate::text::description;
 use crate::text::description::angle::{Angle, UnitRule};
 use crate::text::description::axis::{alone, axis_of_node, letter_axis};
+use crate::text::description::label;
 use crate::text::description::list::held;
 use crate::text::description::matrix;
 use crate::text::description::named_members::component;
@@ -33,7 +34,7 @@ const MOST_CALLS: usize = 8;
 
 /// The rotation that one call makes, perhaps under a label or inside another constructor.
 pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
-    let Some(mut node) = named_node(entries) else {
+    let Some((mut node, labels)) = named_node(entries) else {
         return Ok(None);
     };
     for _ in 0..MOST_CALLS {
@@ -45,6 +46,9 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
         };
         let call = RotationCall::of(name, arguments, node.span);
         if let Some(rotation) = call.rotation()? {
+            for key in labels {
+                label::check(key.name, key.span, Wanted::Quaternion)?;
+            }
             return Ok(Some(rotation));
         }
         match call.only_argument() {
@@ -55,14 +59,16 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
     Ok(None)
 }
 
-/// The only node of a text, perhaps under a name, in braces too: `{"q": Quaternion(…)}`.
-fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+/// The only node of a text, perhaps under names, in braces too: `{"q": Quaternion(…)}`; and these names.
+fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<(&'e Node<'t>, Vec<Key<'t>>)> {
+    let mut labels = Vec::new();
     while let [only] = entries
         && only.key.is_none_or(|key| component(key.name).is_none())
     {
+        labels.extend(only.key);
         match &only.node.kind {
             NodeKind::List(inner) => entries = inner,
-            _ => return Some(&only.node),
+            _ => return Some((&only.node, labels)),
         }
     }
     None

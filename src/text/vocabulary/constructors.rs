@@ -134,40 +134,6 @@ pub(crate) fn is_matrix(name: &str) -> bool {
     ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
 }
 
-/// Words of a label that say that it is no attitude itself, or is that of the opposite turn.
-const DERIVED: [&str; 23] = [
-    "acceleration",
-    "bias",
-    "conj",
-    "conjugate",
-    "cov",
-    "covariance",
-    "dot",
-    "inv",
-    "inverse",
-    "inverted",
-    "noise",
-    "rate",
-    "rates",
-    "sigma",
-    "speed",
-    "std",
-    "stddev",
-    "transpose",
-    "transposed",
-    "var",
-    "variance",
-    "vel",
-    "velocity",
-];
-
-/// Whether a label names what was made of a rotation: `rpy_rate`, `inverse_matrix`, `R.T`.
-pub(crate) fn is_derived_label(name: &str) -> bool {
-    let lower = name.to_ascii_lowercase();
-    let mut words = lower.split(['_', '.', '-', ' ', ':']);
-    name.ends_with(".T") || words.any(|word| DERIVED.contains(&word))
-}
-
 /// Whether a label announces something else than a quaternion or a vector.
 pub(crate) fn is_other_label(name: &str) -> bool {
     if names_both_orders(name) {

@@ -5,191 +5,9 @@
 
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
-use crate::convention::family::Family;
 use crate::convention::order::ComponentOrder;
-
-/// What a word of a label, or a few of them together, say of the numbers under it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LabelWord {
-    /// `xyzw`, `scalar_last`
-    Order(ComponentOrder),
-    /// `zyxw`: an order of components that none of the two is.
-    OtherOrder,
-    /// `hamilton`, `jpl`
-    Family(Family),
-    /// `left_handed`, `lhs`
-    LeftHanded,
-    /// `world_to_body`, `c2w`, `body_from_world`
-    Direction(Direction),
-    /// `inv`, `qdot`, `covariance`: made of a rotation, or the opposite one.
-    Derived(Derived),
-    /// `column_major`, `columns`
-    Columns,
-    /// `row_major`, `rows`
-    Rows,
-    /// `deg`, `radians`
-    Unit(AngleUnit),
-    /// `position`, `rgba`: something else than a rotation, in words.
-    Quantity(&'static str),
-    /// `orientation`, `quat`: a rotation, whatever else is named.
-    Rotation,
-}
-
-/// What numbers are that were made of a rotation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Derived {
-    Inverse,
-    Conjugate,
-    Transposed,
-    Negative,
-    /// A rate, a derivative, an acceleration.
-    Rate,
-    /// A variance, a noise, a bias.
-    Spread,
-}
-
-impl Derived {
-    pub(crate) const fn in_words(self) -> &'static str {
-        match self {
-            Self::Inverse => "an inverse",
-            Self::Conjugate => "a conjugate",
-            Self::Transposed => "a transpose",
-            Self::Negative => "a negative",
-            Self::Rate => "a rate or a derivative",
-            Self::Spread => "a variance, a noise or a bias",
-        }
-    }
-}
-
-/// Words in small letters, separated by spaces, and what each of them says; words that say it only together
-/// stand without what is between them: `scalarlast`.
-const WORDS: &[(&str, LabelWord)] = &[
-    (
-        "scalarfirst realfirst wfirst",
-        LabelWord::Order(ComponentOrder::ScalarFirst),
-    ),
-    (
-        "scalarlast reallast wlast",
-        LabelWord::Order(ComponentOrder::ScalarLast),
-    ),
-    ("hamilton hamiltonian", LabelWord::Family(Family::Hamilton)),
-    ("jpl shuster", LabelWord::Family(Family::Shuster)),
-    (
-        "lefthanded lefthand lhs lefthandedness leftcoordinates",
-        LabelWord::LeftHanded,
-    ),
-    (
-        "inv inverse inverted minus1",
-        LabelWord::Derived(Derived::Inverse),
-    ),
-    (
-        "conj conjugate conjugated star bar",
-        LabelWord::Derived(Derived::Conjugate),
-    ),
-    (
-        "transpose transposed transp ᵀ ᵗ",
-        LabelWord::Derived(Derived::Transposed),
-    ),
-    (
-        "minus neg negative negated",
-        LabelWord::Derived(Derived::Negative),
-    ),
-    (
-        "dot ddot deriv derivative rate rates vel velocity velocities speed speeds acceleration \
-         accelerations gradient grad jacobian hessian",
-        LabelWord::Derived(Derived::Rate),
-    ),
-    (
-        "cov covar covariance var variance std stddev stdev sigma sigmas noise bias biases",
-        LabelWord::Derived(Derived::Spread),
-    ),
-    (
-        "columnmajor colmajor column columns col cols fortran",
-        LabelWord::Columns,
-    ),
-    ("rowmajor row rows", LabelWord::Rows),
-    (
-        "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q qw \
-         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading",
-        LabelWord::Rotation,
-    ),
-    (
-        "rgb rgba rgbw bgr bgra argb hsv hsl color colors colour colours albedo tint diffuse specular \
-         emissive emission",
-        LabelWord::Quantity("a colour"),
-    ),
-    (
-        "position positions pos translation translations trans tvec location locations point points \
-         coord coords coordinate coordinates displacement displacements offset offsets centroid center \
-         centre waypoint waypoints vertex vertices landmark landmarks xyz pivot eye lookat",
-        LabelWord::Quantity("a position"),
-    ),
-    (
-        "plane planes normal normals tangent tangents",
-        LabelWord::Quantity("a plane or a direction"),
-    ),
-    (
-        "gyro gyros gyroscope twist angvel linvel omega",
-        LabelWord::Quantity("a velocity"),
-    ),
-    (
-        "acc accel accelerometer gravity grav",
-        LabelWord::Quantity("an acceleration"),
-    ),
-    (
-        "mag magnetometer magnetic",
-        LabelWord::Quantity("a magnetic field"),
-    ),
-    (
-        "force forces torque torques wrench moment momentum impulse thrust effort",
-        LabelWord::Quantity("a force or a torque"),
-    ),
-    (
-        "scale scales scaling size sizes dimension dimensions extent extents radius radii",
-        LabelWord::Quantity("a scale or a size"),
-    ),
-    (
-        "inertia inertias mass masses",
-        LabelWord::Quantity("a mass or an inertia"),
-    ),
-    (
-        "wheel wheels motor motors rotor rotors rpm pwm throttle throttles",
-        LabelWord::Quantity("a speed of wheels or motors"),
-    ),
-    (
-        "joint joints",
-        LabelWord::Quantity("the coordinates of joints"),
-    ),
-    (
-        "weight weights prob probs probability probabilities gain gains confidence score scores",
-        LabelWord::Quantity("a weight"),
-    ),
-    (
-        "bbox box boxes rect roi bounds aabb viewport",
-        LabelWord::Quantity("a box"),
-    ),
-    (
-        "distortion homography projection intrinsics uv texcoord texcoords pixel pixels",
-        LabelWord::Quantity("a quantity of an image"),
-    ),
-    (
-        "gps latitude longitude altitude lat lon latlon",
-        LabelWord::Quantity("a place on the Earth"),
-    ),
-    (
-        "temperature temperatures voltage voltages pressure pressures battery",
-        LabelWord::Quantity("a measurement of something else"),
-    ),
-];
-
-/// Names of the frame that a rotation is told in, and of the one that turns.
-const WORLDS: &str =
-    "world w global inertial nav navigation map earth ecef eci ned enu odom ground";
-const BODIES: &str =
-    "body b local sensor imu camera cam c device vehicle child robot drone tool rig";
-
-/// What a name says of a rotation before its word for what was made of it: `qdot`, `Rinv`, `invR`.
-const STEMS: [&str; 6] = ["quat", "rot", "mat", "dcm", "q", "r"];
+use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, STEMS, WORDS, WORLDS};
+pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
 /// The words of a name: its parts between marks, capitals (`qInv`) and digits (`c2w`).
 pub(crate) fn words_of(name: &str) -> impl Iterator<Item = &str> {
@@ -263,6 +81,7 @@ fn order_of_letters(lower: &str) -> Option<LabelWord> {
 fn made_of_a_stem(lower: &str) -> Option<LabelWord> {
     let derived = |rest: &str| match listed(rest) {
         Some(meaning @ LabelWord::Derived(_)) => Some(meaning),
+        _ if CONJUGATING.contains(&rest) => Some(LabelWord::Derived(Derived::Conjugate)),
         _ => None,
     };
     STEMS.iter().find_map(|stem| {
@@ -319,6 +138,9 @@ fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
         {
             return (Some(LabelWord::Derived(Derived::Transposed)), 2);
         }
+        if matches!(one.as_str(), "q" | "quat") && CONJUGATING.contains(&other.as_str()) {
+            return (Some(LabelWord::Derived(Derived::Conjugate)), 2);
+        }
         let together = listed(&[one.as_str(), other].concat());
         if together.is_some() {
             return (together, 2);
@@ -328,6 +150,79 @@ fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
         word if word == "rt" => (Some(LabelWord::Derived(Derived::Transposed)), 1),
         word => (meaning_of_word(word), 1),
     }
+}
+
+/// What a label names in place of a rotation, where it does.
+pub(crate) fn other_than_rotation(name: &str) -> Option<LabelWord> {
+    // Without the feature `whole` only plain labels are read at all.
+    if !cfg!(feature = "whole") {
+        return None;
+    }
+    if name == "t" {
+        return Some(LabelWord::Quantity("a translation or a time"));
+    }
+    let meanings = meanings_of(name);
+    let is_rotation = meanings.contains(&LabelWord::Rotation);
+    meanings.into_iter().find(|meaning| match meaning {
+        LabelWord::Derived(_) | LabelWord::LeftHanded | LabelWord::OtherOrder => true,
+        LabelWord::Quantity(_) => !is_rotation,
+        _ => false,
+    })
+}
+
+/// What a label names in place of a vector, where it does: of quantities any may be turned.
+pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
+    if !cfg!(feature = "whole") {
+        return None;
+    }
+    let is_permuted = |word: &str| {
+        let word = word.to_lowercase();
+        word.len() == 3 && word != "xyz" && "xyz".chars().all(|axis| word.contains(axis))
+    };
+    if words_of(name).any(is_permuted) {
+        return Some(LabelWord::OtherOrder);
+    }
+    meanings_of(name).into_iter().find(|meaning| match meaning {
+        LabelWord::Derived(made) => *made != Derived::Rate,
+        LabelWord::LeftHanded | LabelWord::OtherOrder => true,
+        _ => false,
+    })
+}
+
+/// The words of labels that are read without the feature `whole`.
+const PLAIN: &str = "q quat quaternion quaternions rotation rot r m n a b u v w x y z qw qx qy qz e orientation \
+    pose attitude rpy ypr euler angle angles axis roll pitch yaw heading rotvec rvec vector gibbs mrp mrps \
+    rodrigues parameters modified half halfangle axisangle axang matrix dcm rotmat imu body sensor camera \
+    unit units degrees deg radians rad order format sequence seq scalar first intrinsic extrinsic fixed rotating \
+    moving double float const auto eigen quaterniond quaternionf matrix3d xyzw wxyz";
+
+/// Whether a label has none but plain words, letters of a sequence and digits, which say nothing besides.
+pub(crate) fn is_plain(name: &str) -> bool {
+    words_of(name).all(|word| {
+        let lower = word.to_lowercase();
+        let is_listed = PLAIN.split_ascii_whitespace().any(|plain| plain == lower);
+        let are_axes = |word: &str| word.bytes().all(|letter| matches!(letter, b'x'..=b'z'));
+        is_listed
+            || lower.bytes().all(|digit| digit.is_ascii_digit())
+            || (lower.len() == 3 && are_axes(&lower))
+            || (lower.len() == 4 && lower.starts_with('s') && are_axes(&lower[1..]))
+    })
+}
+
+/// The order of components that a label tells.
+pub(crate) fn order_of(name: &str) -> Option<ComponentOrder> {
+    if !cfg!(feature = "whole") {
+        return match order_of_letters(&name.to_ascii_lowercase())? {
+            LabelWord::Order(order) => Some(order),
+            _ => None,
+        };
+    }
+    meanings_of(name)
+        .into_iter()
+        .find_map(|meaning| match meaning {
+            LabelWord::Order(order) => Some(order),
+            _ => None,
+        })
 }
 
 #[cfg(test)]

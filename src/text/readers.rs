@@ -17,6 +17,7 @@ use crate::text::description::{
 };
 use crate::text::grammar;
 use crate::text::grammar::lex::Token;
+use crate::text::grammar::separators::check_no_complex_number;
 use crate::text::grammar::tree::{Entry, Key, NodeKind};
 use crate::text::vocabulary::Telling;
 use crate::text::vocabulary::phrases::Form;
@@ -65,6 +66,7 @@ enum Said {
 
 impl<'t> Members<'t> {
     fn of(tokens: &[Token<'t>], span: Span, said: Said) -> Result<Self, Fault> {
+        check_no_complex_number(tokens)?;
         let written = grammar::entries(tokens)?;
         Ok(Self {
             bare: members(&written),

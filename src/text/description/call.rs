@@ -224,8 +224,9 @@ impl<'e, 't> RotationCall<'e, 't> {
         self.check_names(&["axis", "angle", "radians", "degrees"])?;
         let angles = ["angle", "radians", "degrees"].map(|name| self.named(name));
         let unit = match angles {
-            [Some(_), None, None] | [None, Some(_), None] => AngleUnit::Radians,
-            [None, None, Some(_)] => AngleUnit::Degrees,
+            [Some(_), None, None] => RADIANS,
+            [None, Some(_), None] => UnitRule::ForAll(AngleUnit::Radians),
+            [None, None, Some(_)] => UnitRule::ForAll(AngleUnit::Degrees),
             _ => return Err(self.arguments("axis= and one of degrees=, radians=, angle=")),
         };
         let angle = angles.into_iter().flatten().next();
@@ -234,7 +235,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             return Err(self.arguments("axis= and one of degrees=, radians=, angle="));
         };
         let angle = (angle.angle()?, angle.span);
-        description::axis_angle(axis_of_node(axis)?, angle, UnitRule::Library(unit))
+        description::axis_angle(axis_of_node(axis)?, angle, unit)
     }
 
     fn three(&self, nodes: &[&Node<'_>], what: &str) -> Result<[Angle; 3], Fault> {
@@ -249,7 +250,7 @@ impl<'e, 't> RotationCall<'e, 't> {
         };
         match node.truth() {
             Some(true) => Ok(UnitRule::Library(AngleUnit::Degrees)),
-            Some(false) => Ok(RADIANS),
+            Some(false) => Ok(UnitRule::ForAll(AngleUnit::Radians)),
             None => Err(Fault::unknown_argument(node.span, "degrees")),
         }
     }

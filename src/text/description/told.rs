@@ -60,7 +60,7 @@ impl<'t> Told<'t> {
     }
 
     fn take_label(&mut self, written: &'t str, span: Span, value: &[Token<'_>]) {
-        const SYMBOLS: [&str; 7] = ["J", "K", "P", "Q", "S", "W", "Σ"];
+        const SYMBOLS: [&str; 6] = ["J", "K", "P", "S", "W", "Σ"];
         let saying = |word| Saying {
             word,
             written,

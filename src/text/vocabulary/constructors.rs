@@ -3,7 +3,8 @@
 use crate::convention::order::ComponentOrder::{self, ScalarFirst, ScalarLast};
 use crate::text::grammar::lex::last_segment;
 
-/// A constructor's last path segments, joined by points, and the order of its arguments.
+/// A constructor's last path segments, and the order of its arguments: joined by points for any language, by `::`
+/// for those that write it so.
 ///
 /// Each was measured by running the library or read in its source; names that mean different
 /// orders in different libraries, such as a bare `Quaternion`, are left out on purpose.
@@ -42,7 +43,8 @@ const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
     ("nalgebra.Quaternion.new", ScalarFirst),
     ("na.Quaternion.new", ScalarFirst),
     ("cgmath.Quaternion.new", ScalarFirst),
-    ("Quaternion.new", ScalarFirst),
+    // Not with a point: modules of Lua take the scalar last.
+    ("Quaternion::new", ScalarFirst),
 ];
 
 /// What a call does with its numbers, as far as its name tells.
@@ -61,10 +63,11 @@ pub(crate) enum Call {
 }
 
 /// Words that say that a call computes, or that its numbers are not components.
-const OPERATIONS: [&str; 24] = [
-    "2quat", "about", "align", "angle", "as_", "axang", "axis", "between", "conj", "cross", "diff",
-    "dot", "euler", "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy",
-    "to_",
+const OPERATIONS: [&str; 34] = [
+    "2quat", "about", "align", "angle", "as_", "average", "axang", "axis", "between", "conj",
+    "cross", "deriv", "diff", "dot", "euler", "exp", "halve", "inv", "lerp", "log", "look",
+    "matrix", "mirror", "mul", "negat", "pow", "random", "reflect", "rotvec", "rpy", "sqrt",
+    "swap", "to_", "twist",
 ];
 
 pub(crate) fn call(name: &str) -> Call {
@@ -105,9 +108,13 @@ pub(crate) fn call(name: &str) -> Call {
 
 /// Whether the last segments of a path are these, which are joined by points.
 pub(crate) fn ends_with_path(path: &str, segments: &str) -> bool {
-    let path = path.replace("::", ".");
+    let path = if segments.contains("::") {
+        path.to_owned()
+    } else {
+        path.replace("::", ".")
+    };
     path.strip_suffix(segments)
-        .is_some_and(|before| before.is_empty() || before.ends_with('.'))
+        .is_some_and(|before| before.is_empty() || before.ends_with(['.', ':']))
 }
 
 /// The order that a name spells out, such as `from_xyzw` or `q_wxyz`.

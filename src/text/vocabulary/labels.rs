@@ -172,15 +172,15 @@ pub(crate) fn other_than_rotation(name: &str) -> Option<LabelWord> {
 
 /// What a label names in place of a vector, where it does: of quantities any may be turned.
 pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
-    if !cfg!(feature = "whole") {
-        return None;
-    }
     let is_permuted = |word: &str| {
         let word = word.to_lowercase();
         word.len() == 3 && word != "xyz" && "xyz".chars().all(|axis| word.contains(axis))
     };
     if words_of(name).any(is_permuted) {
         return Some(LabelWord::OtherOrder);
+    }
+    if !cfg!(feature = "whole") {
+        return None;
     }
     meanings_of(name).into_iter().find(|meaning| match meaning {
         LabelWord::Derived(made) => *made != Derived::Rate,
@@ -190,23 +190,39 @@ pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
 }
 
 /// The words of labels that are read without the feature `whole`.
-const PLAIN: &str = "q quat quaternion quaternions rotation rot r m n a b u v w x y z qw qx qy qz e orientation \
+const PLAIN: &str = "q quat quaternion quaternions rotation rot r m n u v w x y z qw qx qy qz orientation \
     pose attitude rpy ypr euler angle angles axis roll pitch yaw heading rotvec rvec vector gibbs mrp mrps \
     rodrigues parameters modified half halfangle axisangle axang matrix dcm rotmat imu body sensor camera \
-    unit units degrees deg radians rad order format sequence seq scalar first intrinsic extrinsic fixed rotating \
+    unit units degrees deg radians rad order format sequence seq intrinsic extrinsic fixed rotating \
     moving double float const auto eigen quaterniond quaternionf matrix3d xyzw wxyz";
 
 /// Whether a label has none but plain words, letters of a sequence and digits, which say nothing besides.
 pub(crate) fn is_plain(name: &str) -> bool {
-    words_of(name).all(|word| {
+    let words: Vec<&str> = words_of(name).collect();
+    words.iter().enumerate().all(|(at, word)| {
         let lower = word.to_lowercase();
         let is_listed = PLAIN.split_ascii_whitespace().any(|plain| plain == lower);
         let are_axes = |word: &str| word.bytes().all(|letter| matches!(letter, b'x'..=b'z'));
         is_listed
-            || lower.bytes().all(|digit| digit.is_ascii_digit())
+            // Not `b2w`.
+            || (at + 1 == words.len() && lower.bytes().all(|digit| digit.is_ascii_digit()))
             || (lower.len() == 3 && are_axes(&lower))
             || (lower.len() == 4 && lower.starts_with('s') && are_axes(&lower[1..]))
     })
+}
+
+/// The order that a value is and nothing else: `xyzw`, `scalar_last`.
+pub(crate) fn order_alone(value: &str) -> Option<ComponentOrder> {
+    match value {
+        "wxyz" => return Some(ComponentOrder::ScalarFirst),
+        "xyzw" => return Some(ComponentOrder::ScalarLast),
+        _ if !cfg!(feature = "whole") => return None,
+        _ => {}
+    }
+    match listed(&value.replace(['_', '-', ' '], "")) {
+        Some(LabelWord::Order(order)) => Some(order),
+        _ => None,
+    }
 }
 
 /// The order of components that a label tells.

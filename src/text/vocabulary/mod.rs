@@ -25,7 +25,8 @@ use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::blank::comments_in;
 use crate::text::grammar::lex::{self, Bracket, Token, TokenKind};
-use crate::text::vocabulary::console::{names_a_list, without_list_names};
+use crate::text::grammar::separators::grouped;
+use crate::text::vocabulary::console::{names_a_list, without_indices, without_list_names};
 use crate::text::vocabulary::declaration::without_words;
 
 /// What a text says of its numbers: its tokens without the words of a declaration, and without what a
@@ -56,6 +57,7 @@ impl<'t> Telling<'t> {
     pub(crate) fn of(text: &'t str) -> Result<Self, Fault> {
         let tokens = lex::tokens(text)?;
         let comments = comments(text, &tokens);
+        let tokens = grouped(without_indices(&tokens))?;
         if !has_words(&tokens) {
             return Ok(Self {
                 tokens,

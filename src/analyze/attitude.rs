@@ -7,9 +7,9 @@ use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
 use crate::contract::{
-    AngleUnitAssumed, Column, Components, Fact, Form, PairedMatrix, ReadAxisAngle, ReadEulerAngles,
-    ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues, ReadQuaternion,
-    ReadRotationVector,
+    AngleUnitAssumed, Column, Components, DirectionFromText, Fact, Form, PairedMatrix,
+    ReadAxisAngle, ReadEulerAngles, ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues,
+    ReadQuaternion, ReadRotationVector,
 };
 use crate::convention::Convention;
 use crate::convention::angle::{AngleUnit, UnitSource};
@@ -113,17 +113,23 @@ impl Attitude {
         RotationText {
             rotation: parsed,
             row_marks,
-        }: RotationText,
+            told,
+        }: RotationText<'_>,
         text: &str,
         declared: Declared,
     ) -> Result<Self, Fault> {
-        let Declared {
-            convention, matrix, ..
-        } = declared;
         let span = Span::of_trimmed(text);
+        let (convention, matrix, told_direction) =
+            told.directed(&parsed, declared.convention, declared.matrix);
+        told.check(&parsed, convention, matrix)?;
+        let told = told_direction
+            .map(|direction| Fact::DirectionFromText(DirectionFromText { direction }))
+            .into_iter()
+            .collect();
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
-                return Self::of_quaternion(parsed, convention, span);
+                let attitude = Self::of_quaternion(parsed, convention, span)?;
+                return Ok(Self { told, ..attitude });
             }
             ParsedRotation::AxisAngle(parsed) => {
                 let read = ReadAxisAngle {
@@ -200,7 +206,7 @@ impl Attitude {
             declared: convention,
             tagged: rotation.to_tagged(convention),
             rotation,
-            told: Vec::new(),
+            told,
         })
     }
 

@@ -7,12 +7,14 @@ use crate::contract::{
 };
 use crate::convention::Direction;
 use crate::library::VectorLayout;
-use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
+use crate::problem::{Span, Wanted};
+use crate::text::description::told::Told;
 use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::mend::written::rotation_text;
 use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
+use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 use crate::text::{ParsedRotation, RotationText, RowMarks};
 use nalgebra::Vector3;
 
@@ -38,11 +40,12 @@ pub(crate) fn of_record(
     for found in record.rotations.iter().filter(|found| !found.is_derived) {
         let parsed = RotationText {
             rotation: as_declared(found, declared),
-            row_marks: if found.has_rows {
-                RowMarks::Lines
-            } else {
-                RowMarks::None
+            row_marks: match (found.by_columns, found.has_rows) {
+                (true, _) => RowMarks::Columns,
+                (false, true) => RowMarks::Lines,
+                (false, false) => RowMarks::None,
             },
+            told: Told::of_label(&found.label, found.span),
         };
         match Attitude::of_parsed(parsed, text, declared) {
             Ok(attitude) => read.push((found, attitude)),
@@ -57,9 +60,7 @@ pub(crate) fn of_record(
     if read.is_empty() {
         return match (fault, derived) {
             (Some(fault), _) => Some(Err(fault)),
-            (None, Some(derived)) if plain.is_none() => {
-                Some(Err(Fault::derived_label(derived.span, &derived.label)))
-            }
+            (None, Some(derived)) if plain.is_none() => Some(Err(derived_rotation(derived))),
             _ => None,
         };
     }
@@ -107,10 +108,7 @@ pub(crate) fn of_record(
             Fact::SecondDescription(description)
         });
     }
-    told.extend(found_in_text(&record, found, &attitude, declared, text));
-    if found.by_columns {
-        told.push(Fact::ColumnsFromText);
-    }
+    told.extend(found_in_text(&record, found, &attitude, text));
     if let Some(format) = found.format.filter(|format| format.marks.is_empty()) {
         told.push(Fact::FormatAssumed(FormatAssumed {
             format: format.name.to_owned(),
@@ -120,6 +118,7 @@ pub(crate) fn of_record(
         Some(plain) => plain.clone(),
         None => attitude,
     };
+    let told = attitude.told.iter().cloned().chain(told).collect();
     Some(Ok(Attitude { told, ..attitude }))
 }
 
@@ -135,6 +134,15 @@ fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
         }
         rotation => rotation.clone(),
     }
+}
+
+/// That a rotation is made of another one, or is computed.
+fn derived_rotation(derived: &RecordRotation) -> Fault {
+    let made = meanings_of(&derived.label)
+        .into_iter()
+        .find(|word| matches!(word, LabelWord::Derived(_)));
+    let what = made.map_or("computed of other numbers", LabelWord::in_words);
+    Fault::other_label(derived.span, &derived.label, what, Wanted::Quaternion)
 }
 
 fn named(label: &str) -> Option<String> {
@@ -155,7 +163,6 @@ fn found_in_text(
     record: &Record,
     found: &RecordRotation,
     attitude: &Attitude,
-    declared: Declared,
     text: &str,
 ) -> Option<Fact> {
     let beside: Vec<Beside> = record
@@ -169,7 +176,7 @@ fn found_in_text(
             label: named(&beside.label),
             numbers: beside.numbers.map(plain_number),
             body_in_world: (beside.what == What::Position)
-                .then(|| body_in_world(beside.numbers, attitude, declared)),
+                .then(|| body_in_world(beside.numbers, attitude)),
         })
         .collect();
     let format = found.format.map(|format| format.name.to_owned());
@@ -186,10 +193,10 @@ fn found_in_text(
 
 /// Where the body's origin stands in the world, of a translation beside numbers that lead from one to the
 /// other: x = R X + t of world to body puts it at −Rᵀt.
-fn body_in_world(translation: [f64; 3], attitude: &Attitude, declared: Declared) -> [f64; 3] {
+fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
     let direction = match attitude.form {
-        Form::Quaternion => declared.convention.direction,
-        Form::Matrix(_) => declared.matrix.direction,
+        Form::Quaternion => attitude.tagged.convention.direction,
+        Form::Matrix(read) => read.convention.direction,
         _ => Direction::BodyToWorld,
     };
     match direction {

@@ -1,6 +1,7 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
 use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription};
+use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
@@ -71,6 +72,8 @@ pub enum Fact {
     RowsAssumed(RowsAssumed),
     /// Three vectors with the names of axes were taken for the columns of the matrix.
     AxesAsColumns(AxesAsColumns),
+    /// A label says that the nine numbers are columns, so they were read column by column.
+    ColumnsFromText(ColumnsFromText),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
     /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
@@ -86,6 +89,9 @@ pub enum Fact {
     NearlyHalfTurn(NearlyHalfTurn),
     /// Some number is beyond what a double can hold and is left out.
     OutOfRange(OutOfRange),
+    /// The text tells which frame's coordinates the numbers take to which, and it is not the declared
+    /// direction.
+    DirectionFromText(DirectionFromText),
     /// The rotation was found in a text that holds more.
     FoundInText(FoundInText),
     /// The text holds the rotation a second time, in another description.
@@ -94,8 +100,6 @@ pub enum Fact {
     DescriptionsDisagree(OtherDescription),
     /// Nothing names the numbers: they were read as a row of this format, as which they pass.
     FormatAssumed(FormatAssumed),
-    /// The matrix was written column by column, as the text or its format says.
-    ColumnsFromText,
 }
 
 impl Fact {
@@ -151,9 +155,10 @@ impl Fact {
             | Self::HalfTurn
             | Self::NearlyHalfTurn(_)
             | Self::OutOfRange(_)
+            | Self::DirectionFromText(_)
             | Self::FoundInText(_)
             | Self::SecondDescription(_)
-            | Self::ColumnsFromText => false,
+            | Self::ColumnsFromText(_) => false,
         }
     }
 }
@@ -188,6 +193,14 @@ pub struct OrderFromText {
     pub source: OrderSource,
     /// The order that was used.
     pub order: ComponentOrder,
+}
+
+/// The data of [`Fact::DirectionFromText`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct DirectionFromText {
+    /// The direction that was used.
+    pub direction: Direction,
 }
 
 /// The data of [`Fact::OrderAssumed`].
@@ -240,6 +253,16 @@ pub struct RowsAssumed {
 #[serde(rename_all = "camelCase")]
 pub struct AxesAsColumns {
     /// How far away the rotation is that the same vectors give row by row, the opposite turn, in
+    /// degrees.
+    pub rows_differ_by_deg: f64,
+}
+
+/// The data of [`Fact::ColumnsFromText`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct ColumnsFromText {
+    /// How far away the rotation is that the same numbers give row by row, the opposite turn, in
     /// degrees.
     pub rows_differ_by_deg: f64,
 }

@@ -119,7 +119,7 @@ mod readers;
 pub(crate) mod record;
 
 // Words and names that are known.
-mod vocabulary;
+pub(crate) mod vocabulary;
 
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
@@ -128,6 +128,7 @@ pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::description::told::{Layout, Told};
 use crate::text::description::{list, quaternion};
 use crate::text::readers::rotation;
 use crate::text::vocabulary::Telling;
@@ -165,22 +166,35 @@ pub fn parse_rotation(text: &str, declared: ComponentOrder) -> Result<ParsedRota
 }
 
 /// What a text holds that holds a rotation.
-pub(crate) struct RotationText {
+pub(crate) struct RotationText<'t> {
     pub(crate) rotation: ParsedRotation,
     /// What marks the rows of a matrix.
     pub(crate) row_marks: RowMarks,
+    /// What labels and comments tell besides.
+    pub(crate) told: Told<'t>,
 }
 
 /// The rotation that a text holds, and what else it tells.
-pub(crate) fn read_rotation(text: &str, declared: ComponentOrder) -> Result<RotationText, Fault> {
+pub(crate) fn read_rotation(
+    text: &str,
+    declared: ComponentOrder,
+) -> Result<RotationText<'_>, Fault> {
     let (telling, span) = telling_of(text, Wanted::Quaternion)?;
-    let rotation = rotation(&telling, text, span, declared)?;
+    let told = Told::of(&telling, text, Wanted::Quaternion)?;
+    let rotation = rotation(&telling, text, span, declared, &told)?;
+    let row_marks = match rotation {
+        ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
+        _ => RowMarks::None,
+    };
+    let (rotation, layout) = told.laid_out(rotation, row_marks != RowMarks::None)?;
     Ok(RotationText {
-        row_marks: match rotation {
-            ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
-            _ => RowMarks::None,
+        row_marks: match layout {
+            Some(Layout::Columns) => RowMarks::Columns,
+            Some(Layout::Rows) if row_marks == RowMarks::None => RowMarks::Lines,
+            _ => row_marks,
         },
         rotation,
+        told,
     })
 }
 
@@ -236,6 +250,7 @@ pub fn parse_quaternion(text: &str, declared: ComponentOrder) -> Result<ParsedQu
 /// ```
 pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
     let (telling, span) = telling_of(text, Wanted::Vector)?;
+    Told::of(&telling, text, Wanted::Vector)?;
     quaternion::vector(&grammar::entries(&telling.tokens)?, span)
 }
 

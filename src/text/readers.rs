@@ -1,13 +1,16 @@
 //! Tokens to a rotation: the words, where there are any, are asked first which description it is, then
 //! a table of readers.
 
+use crate::convention::angle::AngleUnit;
 use crate::convention::order::{ComponentOrder, OrderSource};
-use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
+use crate::text::description::label;
 use crate::text::description::list::{members, sequence_among_numbers};
 use crate::text::description::named_members::component;
 use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::settings::{Settings, without_settings};
+use crate::text::description::told::Told;
 use crate::text::description::wording::{Spoken, spoken};
 use crate::text::description::{
     ParsedRotation, announced_numbers, axis_angle, call, matrix, matrix_columns, named_parts,
@@ -15,7 +18,8 @@ use crate::text::description::{
 };
 use crate::text::grammar;
 use crate::text::grammar::lex::Token;
-use crate::text::grammar::tree::{Entry, NodeKind};
+use crate::text::grammar::separators::check_no_complex_number;
+use crate::text::grammar::tree::{Entry, Key, NodeKind};
 use crate::text::vocabulary::Telling;
 use crate::text::vocabulary::phrases::Form;
 
@@ -63,6 +67,7 @@ enum Said {
 
 impl<'t> Members<'t> {
     fn of(tokens: &[Token<'t>], span: Span, said: Said) -> Result<Self, Fault> {
+        check_no_complex_number(tokens)?;
         let written = grammar::entries(tokens)?;
         Ok(Self {
             bare: members(&written),
@@ -90,13 +95,15 @@ pub(crate) fn rotation(
     text: &str,
     span: Span,
     declared: ComponentOrder,
+    told: &Told<'_>,
 ) -> Result<ParsedRotation, Fault> {
     if !telling.has_words {
         let members = Members::of(&telling.tokens, span, Said::Nothing)?;
-        return by_members(&members, &Settings::default(), declared);
+        return by_members(&members, &Settings::default(), declared, told);
     }
     let (tokens, settings) = without_settings(&telling.tokens)?;
-    match by_words(&tokens, text, span, &settings)? {
+    let unit = settings.unit.map(|(unit, _)| unit).or(told.unit);
+    match by_words(&tokens, text, span, unit, settings.sequence)? {
         ByWords::Rotation(rotation) => {
             settings.check_order(None)?;
             Ok(rotation)
@@ -111,7 +118,8 @@ pub(crate) fn rotation(
             } else {
                 Said::NotADescription
             };
-            by_members(&Members::of(numbers, span, said)?, &settings, declared)
+            let members = Members::of(numbers, span, said)?;
+            by_members(&members, &settings, declared, told)
         }
     }
 }
@@ -120,6 +128,7 @@ fn by_members(
     members: &Members<'_>,
     settings: &Settings<'_>,
     declared: ComponentOrder,
+    told: &Told<'_>,
 ) -> Result<ParsedRotation, Fault> {
     for (asked, read) in READERS {
         if members.said == Said::Nothing && asked == Asked::OfWords {
@@ -131,8 +140,8 @@ fn by_members(
         }
     }
     settings.check_no_unit()?;
-    let told = settings.order.map(|(order, _)| order);
-    let quaternion = quaternion::quaternion(&members.written, members.span, declared, told)?;
+    let order = settings.order.map(|(order, _)| order).or(told.order);
+    let quaternion = quaternion::quaternion(&members.written, members.span, declared, order)?;
     // Names have no order that another could contradict.
     if quaternion.order_source != OrderSource::Named {
         settings.check_order(Some(quaternion.order))?;
@@ -147,19 +156,19 @@ fn by_words<'s, 't>(
     tokens: &'s [Token<'t>],
     text: &'t str,
     span: Span,
-    settings: &Settings<'t>,
+    unit: Option<AngleUnit>,
+    sequence: Option<(&'t str, Key<'t>)>,
 ) -> Result<ByWords<'s, 't>, Fault> {
-    let unit = settings.unit.map(|(unit, _)| unit);
     Ok(match spoken(tokens, text) {
         Spoken::About {
             before,
             word,
             after,
         } => ByWords::Rotation(axis_angle::about(before, word, after, unit)?),
-        Spoken::Derived(label) => return Err(Fault::derived_label(label.span, label.text)),
+        Spoken::Refused(fault) => return Err(fault),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
         Spoken::Parts(labels, parts) => {
-            let announcement = labels.with_unit(unit)?.with_sequence(settings.sequence)?;
+            let announcement = labels.with_unit(unit)?.with_sequence(sequence)?;
             ByWords::Rotation(named_parts::rotation(&parts, &announcement, span)?)
         }
         Spoken::Vectors(vectors) => {
@@ -169,9 +178,7 @@ fn by_words<'s, 't>(
         Spoken::Announced(announcement, rest) => match announcement.form {
             Some(Form::Quaternion) | None => ByWords::Numbers(rest),
             Some(form) => {
-                let announcement = announcement
-                    .with_unit(unit)?
-                    .with_sequence(settings.sequence)?;
+                let announcement = announcement.with_unit(unit)?.with_sequence(sequence)?;
                 ByWords::Rotation(announced_numbers::rotation(
                     &announcement,
                     form,
@@ -209,13 +216,20 @@ fn call(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
 /// around such names: `{"pose": {"R": [[…], […], […]]}}`.
 fn matrix(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
     let mut bare = members.bare.clone()?;
+    let mut labels = Vec::new();
     while let Some(first) = bare.first_mut()
-        && first.key.is_some_and(|key| component(key.name).is_none())
+        && let Some(key) = first.key.filter(|key| component(key.name).is_none())
     {
+        labels.push(key);
         first.key = None;
         bare = self::members(&bare)?;
     }
     let matrix = matrix::unannounced(&bare, members.span)?;
+    if matrix.is_some() {
+        for key in labels {
+            label::check(key.name, key.span, Wanted::Quaternion)?;
+        }
+    }
     Ok(matrix.map(ParsedRotation::Matrix))
 }
 

@@ -175,7 +175,7 @@ fn euler_angles_in_a_call() {
             "r = R.from_euler('zyx', [30, 20, 10])",
             "zyx",
             [30.0, 20.0, 10.0],
-            RADIANS,
+            AS_RADIANS,
         ),
         (
             "R.from_euler(seq='ZYX', angles=[30, 20, 10], degrees=True)",

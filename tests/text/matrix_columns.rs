@@ -179,7 +179,7 @@ fn what_is_not_three_vectors_is_refused() {
             "R.T = {x: [0, 0, -1], y: [1, 0, 0], z: [0, -1, 0]}",
             UnknownWord,
             "R.T",
-            "an inverse",
+            "a transpose",
         ),
     ]);
 }

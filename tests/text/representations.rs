@@ -132,7 +132,7 @@ fn an_axis_and_an_angle_in_a_call() {
             "Eigen::Quaterniond q(Eigen::AngleAxisd(30, Eigen::Vector3d::UnitX()));",
             X,
             30.0,
-            RADIANS,
+            AS_RADIANS,
         ),
         (
             "Eigen::AngleAxis<double>(0.5f, Eigen::Vector3d::UnitY())",

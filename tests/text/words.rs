@@ -261,7 +261,7 @@ fn a_label_behind_an_announcement_is_not_passed_over() {
             "mrad",
             "what these",
         ),
-        ("gibbs neg: 0 0 0.3", UnknownWord, "neg", "what these"),
+        ("gibbs neg: 0 0 0.3", UnknownWord, "neg", "a negative"),
         ("mrp inv: 0 0 0.3", UnknownWord, "inv", "an inverse"),
         (
             "quaternion inverse: 0.8 0 0 0.6",

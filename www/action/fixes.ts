@@ -129,6 +129,7 @@ function ownFixes(store: Store, { field, fact }: Note, name: TextName): Fix[] {
     case "rows-assumed":
       return [writes(fixWords.columns, ({ quaternion: { form } }) => transposedRows(form))];
     case "axes-as-columns":
+    case "columns-from-text":
       return [writes(fixWords.rows, ({ quaternion: { form } }) => transposedRows(form))];
     case "nearest-rotation":
       return view === "translate" ? [] : [writes(fixWords.nearestRotation, nearestRows)];

@@ -51,6 +51,48 @@ impl Fault {
         )
     }
 
+    pub(crate) fn commas_and_semicolons(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "commas and semicolons between these numbers: decimal commas, or a list",
+            "numbers with decimal points, and one kind of separator",
+            "use a decimal point (0.92), or separate all numbers alike",
+        )
+    }
+
+    pub(crate) fn decimal_pairs(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "four numbers, or two with decimal commas",
+            "a space after each comma that separates, a decimal point in each number",
+            "write 0, 7, 0, 7 or 0.7, 0.7",
+        )
+    }
+
+    /// `1 1/2`
+    pub(crate) fn mixed_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a whole number and a fraction: one number, or two",
+            "commas between the numbers, or one fraction",
+            "write 1, 1/2 for two numbers, 3/2 for one",
+        )
+    }
+
+    /// `0.6+0.8j`
+    pub(crate) fn complex_number(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "a complex number, or a quaternion with one of its units",
+            "all the units of a quaternion, or spaces around the sign",
+            "write 0.6 + 0i + 0.8j + 0k if it is a quaternion",
+        )
+    }
+
     pub(crate) fn factor_before_line(span: Span) -> Self {
         Self::new(
             ProblemCode::Unexpected,
@@ -243,13 +285,30 @@ impl Fault {
         })
     }
 
-    pub(crate) fn derived_label(span: Span, name: &str) -> Self {
+    /// A label that names something else than what is wanted: `what`, in words.
+    pub(crate) fn other_label(span: Span, name: &str, what: &str, wanted: Wanted) -> Self {
         Self::told(ProblemCode::UnknownWord, span, || {
             let name = shorten(name, QUOTED_CHARACTERS);
+            let itself = match wanted {
+                Wanted::Quaternion => "rotation",
+                Wanted::Vector => "vector",
+            };
             Words::new(
-                format!("{name} is a rate, a variance or an inverse, not the rotation itself"),
-                "the numbers of the rotation",
-                "remove this name if the numbers are the rotation",
+                format!("{name} names {what}, not the {itself} itself"),
+                format!("the numbers of the {itself}"),
+                format!("remove this name if the numbers are the {itself}"),
+            )
+        })
+    }
+
+    /// A label or a comment that names another convention than is declared: `what`, in words.
+    pub(crate) fn told_otherwise(span: Span, written: &str, what: &str) -> Self {
+        Self::told(ProblemCode::UnknownWord, span, || {
+            let written = shorten(written, QUOTED_CHARACTERS);
+            Words::new(
+                format!("{written} says {what}, which is not what is declared"),
+                "numbers in the declared convention",
+                format!("declare {what}, or remove these words if the numbers are as declared"),
             )
         })
     }

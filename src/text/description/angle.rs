@@ -66,7 +66,14 @@ fn unit_source(angles: &[Angle], rule: UnitRule) -> Result<UnitSource, Fault> {
         return Ok(UnitSource::Written(unit));
     }
     let is_of_pi = |(value, _): &Angle| value.quantity == Quantity::OfPi;
+    let is_more_than_a_turn = |(value, _): &Angle| {
+        value.quantity == Quantity::Number && value.scalar.abs() > FULL_TURN_RAD
+    };
     Ok(match rule {
+        // The library takes radians, and 90 of them are hardly meant.
+        UnitRule::Library(AngleUnit::Radians) if angles.iter().any(is_more_than_a_turn) => {
+            UnitSource::Assumed(AngleUnit::Radians)
+        }
         UnitRule::ForAll(unit) | UnitRule::Library(unit) => UnitSource::Written(unit),
         _ if angles.iter().any(is_of_pi) => UnitSource::Written(AngleUnit::Radians),
         UnitRule::Custom(unit) => UnitSource::Assumed(unit),

@@ -1,13 +1,14 @@
 //! The numbers behind an announcement, as the description that it announces.
 
 use crate::convention::angle::AngleUnit;
-use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
 use crate::text::description::angle::{self, Angle, UnitRule};
 use crate::text::description::announcement::{self, Announcement};
 use crate::text::description::axis::{span_of, trimmed};
 use crate::text::description::axis_angle;
 use crate::text::description::call;
+use crate::text::description::label;
 use crate::text::description::list::members;
 use crate::text::description::matrix;
 use crate::text::description::matrix_columns::{self, labelled_vectors};
@@ -21,9 +22,8 @@ use crate::text::grammar;
 use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::lex::{self, Token, TokenKind};
 use crate::text::grammar::nesting::inside;
-use crate::text::vocabulary::constructors::is_derived_label;
 use crate::text::vocabulary::declaration::without_words;
-use crate::text::vocabulary::phrases::Form;
+use crate::text::vocabulary::phrases::{Form, is_name};
 
 /// What follows an announcement, as the description that it announces.
 pub(crate) fn rotation(
@@ -48,8 +48,8 @@ pub(crate) fn rotation(
         return Err(Fault::unknown_keyword(word.span, word.text));
     }
     if let Some(found) = named_parts(inner) {
-        if let Some(label) = inner.first().filter(|word| is_derived_label(word.text)) {
-            return Err(Fault::derived_label(label.span, label.text));
+        if let Some(first) = inner.first().filter(|first| is_name(first)) {
+            label::check(first.text, first.span, Wanted::Quaternion)?;
         }
         return named_parts::rotation(&found, announcement, span_of(rest, announcement.span));
     }

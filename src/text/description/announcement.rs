@@ -2,18 +2,18 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
-use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
+use crate::text::description::label;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::grammar::tree::Key;
-use crate::text::vocabulary::constructors::is_derived_label;
 use crate::text::vocabulary::phrases::{
     Form, Phrase, Said, digits_ahead, euler_sequence, is_mark, is_name, is_sequence, phrase_ahead,
     sequence_in_name,
 };
 
 /// The words before the numbers.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Announcement<'t> {
     pub(crate) form: Option<Form>,
     pub(crate) frame: Option<EulerFrame>,
@@ -21,8 +21,8 @@ pub(crate) struct Announcement<'t> {
     pub(crate) unit: Option<AngleUnit>,
     /// Whether another unit than that is written as well.
     pub(crate) has_two_units: bool,
-    /// A label that names what was made of a rotation.
-    pub(crate) derived: Option<Token<'t>>,
+    /// The problem of a label that names something else than a rotation.
+    pub(crate) refused: Option<Fault>,
     pub(crate) span: Span,
 }
 
@@ -183,8 +183,8 @@ impl<'t> Announcement<'t> {
 
     /// Takes in what a label before named parts says.
     pub(crate) fn take_label(&mut self, label: &Token<'t>) {
-        if is_derived_label(label.text) {
-            self.derived = Some(*label);
+        if self.refused.is_none() {
+            self.refused = label::check(label.text, label.span, Wanted::Quaternion).err();
         }
         if let Some(letters) = sequence_in_name(label.text) {
             self.set_sequence(Sequence::InName(letters, label.span));

@@ -2,11 +2,12 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
-use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
 use crate::text::description;
 use crate::text::description::angle::{Angle, UnitRule};
 use crate::text::description::axis::{alone, axis_of_node, letter_axis};
+use crate::text::description::label;
 use crate::text::description::list::held;
 use crate::text::description::matrix;
 use crate::text::description::named_members::component;
@@ -33,7 +34,7 @@ const MOST_CALLS: usize = 8;
 
 /// The rotation that one call makes, perhaps under a label or inside another constructor.
 pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
-    let Some(mut node) = named_node(entries) else {
+    let Some((mut node, labels)) = named_node(entries) else {
         return Ok(None);
     };
     for _ in 0..MOST_CALLS {
@@ -45,6 +46,9 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
         };
         let call = RotationCall::of(name, arguments, node.span);
         if let Some(rotation) = call.rotation()? {
+            for key in labels {
+                label::check(key.name, key.span, Wanted::Quaternion)?;
+            }
             return Ok(Some(rotation));
         }
         match call.only_argument() {
@@ -55,14 +59,16 @@ pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, 
     Ok(None)
 }
 
-/// The only node of a text, perhaps under a name, in braces too: `{"q": Quaternion(…)}`.
-fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<&'e Node<'t>> {
+/// The only node of a text, perhaps under names, in braces too: `{"q": Quaternion(…)}`; and these names.
+fn named_node<'e, 't>(mut entries: &'e [Entry<'t>]) -> Option<(&'e Node<'t>, Vec<Key<'t>>)> {
+    let mut labels = Vec::new();
     while let [only] = entries
         && only.key.is_none_or(|key| component(key.name).is_none())
     {
+        labels.extend(only.key);
         match &only.node.kind {
             NodeKind::List(inner) => entries = inner,
-            _ => return Some(&only.node),
+            _ => return Some((&only.node, labels)),
         }
     }
     None
@@ -218,8 +224,9 @@ impl<'e, 't> RotationCall<'e, 't> {
         self.check_names(&["axis", "angle", "radians", "degrees"])?;
         let angles = ["angle", "radians", "degrees"].map(|name| self.named(name));
         let unit = match angles {
-            [Some(_), None, None] | [None, Some(_), None] => AngleUnit::Radians,
-            [None, None, Some(_)] => AngleUnit::Degrees,
+            [Some(_), None, None] => RADIANS,
+            [None, Some(_), None] => UnitRule::ForAll(AngleUnit::Radians),
+            [None, None, Some(_)] => UnitRule::ForAll(AngleUnit::Degrees),
             _ => return Err(self.arguments("axis= and one of degrees=, radians=, angle=")),
         };
         let angle = angles.into_iter().flatten().next();
@@ -228,7 +235,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             return Err(self.arguments("axis= and one of degrees=, radians=, angle="));
         };
         let angle = (angle.angle()?, angle.span);
-        description::axis_angle(axis_of_node(axis)?, angle, UnitRule::Library(unit))
+        description::axis_angle(axis_of_node(axis)?, angle, unit)
     }
 
     fn three(&self, nodes: &[&Node<'_>], what: &str) -> Result<[Angle; 3], Fault> {
@@ -243,7 +250,7 @@ impl<'e, 't> RotationCall<'e, 't> {
         };
         match node.truth() {
             Some(true) => Ok(UnitRule::Library(AngleUnit::Degrees)),
-            Some(false) => Ok(RADIANS),
+            Some(false) => Ok(UnitRule::ForAll(AngleUnit::Radians)),
             None => Err(Fault::unknown_argument(node.span, "degrees")),
         }
     }

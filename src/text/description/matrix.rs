@@ -122,6 +122,8 @@ pub(crate) enum RowMarks {
     Brackets,
     /// The names of the axes: the vectors are columns.
     AxisNames,
+    /// A label that says that they are columns: they were read so.
+    Columns,
     /// Nothing: the numbers stand in a row.
     None,
 }

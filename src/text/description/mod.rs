@@ -21,6 +21,9 @@ pub(crate) mod announced_numbers;
 // Twelve or sixteen numbers to a homogeneous matrix.
 pub(crate) mod homogeneous;
 
+// A label of numbers.
+pub(crate) mod label;
+
 // Lists of plain numbers.
 pub(crate) mod list;
 
@@ -41,6 +44,9 @@ pub(crate) mod quaternion;
 
 // Named words that say something of all the numbers.
 pub(crate) mod settings;
+
+// What labels and comments tell.
+pub(crate) mod told;
 
 // How a text speaks of its numbers.
 pub(crate) mod wording;

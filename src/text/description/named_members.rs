@@ -2,9 +2,10 @@
 
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
+use crate::text::description::label;
 use crate::text::grammar::lex::last_segment;
 use crate::text::grammar::tree::{Entry, Key, NodeKind};
-use crate::text::vocabulary::constructors::is_derived_label;
+use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 use crate::text::vocabulary::phrases::is_sequence;
 
 /// Names of that part of a message which is the quaternion, or holds it.
@@ -53,16 +54,29 @@ const TELLING: [&str; 9] = [
     "col", "deg", "hamilton", "jpl", "left", "rad", "trinsic", "wxyz", "xyzw",
 ];
 
+/// Of these members the value may be a sentence about the numbers.
+const DESCRIBING: [&str; 4] = ["comment", "description", "label", "name"];
+
+/// Whether words say something of a convention, or that the numbers were made of a rotation.
+fn tells(words: &str) -> bool {
+    let is_told =
+        |meaning: &LabelWord| !matches!(meaning, LabelWord::Rotation | LabelWord::Quantity(_));
+    cfg!(feature = "whole") && meanings_of(words).iter().any(is_told)
+}
+
 fn is_harmless(entry: &Entry<'_>, name: &str) -> bool {
     let name = last_segment(name).to_ascii_lowercase();
-    let tells = match entry.node.kind {
+    let may_change = match entry.node.kind {
         NodeKind::Word(word) if matches!(name.as_str(), "seq" | "type") => {
             let word = word.to_ascii_lowercase();
-            is_sequence(&word) || TELLING.iter().any(|telling| word.contains(telling))
+            is_sequence(&word)
+                || tells(&word)
+                || TELLING.iter().any(|telling| word.contains(telling))
         }
+        NodeKind::Word(word) => DESCRIBING.contains(&name.as_str()) && tells(word),
         _ => false,
     };
-    !tells && (HARMLESS.contains(&name.as_str()) || name.ends_with("covariance"))
+    !may_change && (HARMLESS.contains(&name.as_str()) || name.ends_with("covariance"))
 }
 
 /// The members that are numbers or hold numbers; a problem where a word may change them.
@@ -98,7 +112,7 @@ pub(crate) fn component(name: &str) -> Option<usize> {
 
 pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result<[f64; 4], Fault> {
     without_options(entries)?;
-    let entries = of_one_value(entries)?;
+    let entries = of_one_value(entries, wanted)?;
     let mut found = [None; 4];
     for entry in without_options(entries)? {
         let Some(key) = entry.key else {
@@ -128,7 +142,10 @@ pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result
 /// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell
 /// several apart: those of the orientation, or a problem where none
 /// or more than one is.
-fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fault> {
+fn of_one_value<'e, 't>(
+    entries: &'e [Entry<'t>],
+    wanted: Wanted,
+) -> Result<&'e [Entry<'t>], Fault> {
     let path = |key: Key<'t>| {
         key.name
             .rsplit_once(['.', ':'])
@@ -147,14 +164,8 @@ fn of_one_value<'e, 't>(entries: &'e [Entry<'t>]) -> Result<&'e [Entry<'t>], Fau
         .collect();
     let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
     if bounds.len() == 2 {
-        let key = entries.first().and_then(|entry| entry.key);
-        if let Some(key) = key
-            && key.heading.is_some_and(is_derived_label)
-        {
-            return Err(Fault::derived_label(
-                key.span,
-                key.heading.unwrap_or(key.name),
-            ));
+        if let Some(key) = entries.first().and_then(|entry| entry.key) {
+            label::check(key.heading.unwrap_or_else(|| path(key)), key.span, wanted)?;
         }
         return Ok(entries);
     }

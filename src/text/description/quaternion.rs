@@ -4,11 +4,13 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted, shorten};
+use crate::text::description::label;
 use crate::text::description::list::{check_separators, held, values};
 use crate::text::description::named_members::{ORIENTATIONS, component, named, without_options};
 use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
 use crate::text::vocabulary::constructors::{self, Call};
+use crate::text::vocabulary::labels::order_of;
 use nalgebra::{Quaternion, Vector3};
 use std::borrow::Cow;
 
@@ -125,7 +127,7 @@ fn read_quaternion(
         return read_members(node, order, place);
     }
     let (entries, label) = without_label(entries, Wanted::Quaternion)?;
-    let order = match label.and_then(|label| constructors::order_in_name(label.name)) {
+    let order = match label.and_then(|label| order_of(label.name)) {
         Some(named) if order.source == OrderSource::Named && order.order != named => {
             let label = label.unwrap_or_default();
             return Err(Fault::unknown_argument(label.span, label.name));
@@ -340,6 +342,7 @@ fn without_label<'e, 't>(
         if constructors::is_other_label(label.name) {
             return Err(Fault::not_applied(label.span, label.name, wanted));
         }
+        label::check(label.name, label.span, wanted)?;
         entries.to_mut()[0].key = None;
     }
     Ok((entries, label))

@@ -6,7 +6,7 @@ use crate::problem::fault::Fault;
 use crate::text::description::named_parts;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::grammar::tree::Key;
-use crate::text::vocabulary::constructors::order_in_name;
+use crate::text::vocabulary::labels::order_alone;
 use crate::text::vocabulary::phrases::{is_mark, is_name, is_sequence, names_axes, phrase_ahead};
 
 /// What named words say of all the numbers: `"unit": "deg"`, `order: xyzw`, `degrees=True`.
@@ -40,8 +40,7 @@ impl<'t> Settings<'t> {
             ("scalarfirst", Some(true)) => (None, Some(ComponentOrder::ScalarFirst)),
             ("scalarfirst", Some(false)) => (None, Some(ComponentOrder::ScalarLast)),
             ("order" | "format" | "layout" | "convention" | "componentorder", _) => {
-                let is_order = matches!(word.as_str(), "wxyz" | "xyzw");
-                (None, order_in_name(&word).filter(|_| is_order))
+                (None, order_alone(&word))
             }
             _ => (None, None),
         };

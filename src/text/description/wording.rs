@@ -3,13 +3,14 @@
 //! It works on tokens, before any arithmetic: `3-2-1` is a sequence here and a difference later.
 
 use crate::problem::Span;
+use crate::problem::fault::Fault;
 use crate::text::description::announcement::{Announcement, announcement};
+use crate::text::description::label;
 use crate::text::description::matrix_columns::{LabelledVector, labelled_vectors};
 use crate::text::description::named_members::component;
 use crate::text::description::named_parts::{SpokenPart, named_parts};
 use crate::text::grammar::lex::{Bracket, Token, TokenKind};
 use crate::text::grammar::nesting::{at_depth_zero, inside};
-use crate::text::vocabulary::constructors::is_derived_label;
 use crate::text::vocabulary::phrases::{Form, is_mark, is_name};
 
 /// What a text says of its numbers in words.
@@ -26,8 +27,8 @@ pub(crate) enum Spoken<'s, 't> {
     Parts(Announcement<'t>, Vec<SpokenPart<'s, 't>>),
     /// `x: 0 1 0, y: -1 0 0, z: 0 0 1`
     Vectors(Vec<LabelledVector<'s, 't>>),
-    /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that says they are something else.
-    Derived(Token<'t>),
+    /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that names something else.
+    Refused(Fault),
     /// Two attributes that are rotations: where the second stands.
     Several(Span),
     /// `rotvec 0 0 0.785`: what is announced and what follows it.
@@ -45,26 +46,26 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
     };
     let mut labels = Announcement::default();
     for _ in 0..=MOST_WRAPPINGS {
-        if let Some(label) = derived_label(tokens) {
-            return Spoken::Derived(label);
+        if let Some(fault) = fault_of_label(tokens) {
+            return Spoken::Refused(fault);
         }
         if let Some(vectors) = labelled_vectors(tokens) {
-            return match labels.derived {
-                Some(label) => Spoken::Derived(label),
+            return match labels.refused {
+                Some(fault) => Spoken::Refused(fault),
                 None => Spoken::Vectors(vectors),
             };
         }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
-            return match labels.derived {
-                Some(label) => Spoken::Derived(label),
+            return match labels.refused {
+                Some(fault) => Spoken::Refused(fault),
                 None => Spoken::Announced(announcement, &tokens[length..]),
             };
         }
         if let Some(parts) = named_parts(tokens) {
-            let word_before = Some(tokens[0]).filter(|word| is_derived_label(word.text));
-            return match labels.derived.or(word_before) {
-                Some(label) => Spoken::Derived(label),
+            let refused = labels.refused.take();
+            return match refused.or_else(|| label::fault_of_words(&tokens[..1])) {
+                Some(fault) => Spoken::Refused(fault),
                 None => Spoken::Parts(labels, parts),
             };
         }
@@ -100,8 +101,8 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
     }
 }
 
-/// The only label of tokens, where it names what was made of a rotation.
-fn derived_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
+/// The problem of the only label of tokens, where it names something else than a rotation.
+fn fault_of_label(tokens: &[Token<'_>]) -> Option<Fault> {
     let mark = tokens.iter().position(|token| is_mark(Some(token)))?;
     let (label, after) = (&tokens[..mark], &tokens[mark + 1..]);
     // A type or a form before it, or its unit after it, as in `rpy_rate (deg):`.
@@ -109,9 +110,8 @@ fn derived_label<'t>(tokens: &[Token<'t>]) -> Option<Token<'t>> {
     let is_beside = label
         .iter()
         .all(|token| !matches!(token.kind, TokenKind::Number(_)));
-    let mut words = label.iter().filter(|token| is_name(token));
-    let derived = words.find(|word| is_derived_label(word.text))?;
-    (is_alone && is_beside).then_some(*derived)
+    let refused = label::fault_of_words(label)?;
+    (is_alone && is_beside).then_some(refused)
 }
 
 /// The `rpy="…"` of elements of URDF, or more than one of them without an element.

@@ -138,6 +138,23 @@ fn comment<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     .parse_next(input)
 }
 
+/// The comments in what stands between tokens.
+pub(crate) fn comments_in(gap: &str) -> Vec<Span> {
+    let mut found = Vec::new();
+    let mut input = Input::new(gap);
+    while let Some(character) = input.chars().next() {
+        let start = gap.len() - input.len();
+        let before = input.checkpoint();
+        if comment.parse_next(&mut input).is_ok() {
+            found.push(Span::from(start..gap.len() - input.len()));
+        } else {
+            input.reset(&before);
+            input.next_slice(character.len_utf8());
+        }
+    }
+    found
+}
+
 /// The text with a space in place of each comment.
 pub(crate) fn without_comments(text: &str) -> String {
     let mut input = Input::new(text);

@@ -149,6 +149,9 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
             {
                 return Err(Fault::grouped_digits(before.span.to(span)));
             }
+            if let Some(whole) = mixed_number(&tokens, value, written, spacing) {
+                return Err(Fault::mixed_number(whole.to(span)));
+            }
         }
         // Two numbers that touch (`0.5.5`, `1½`) were not meant as two, and `0.92(3)` is a number
         // with its uncertainty, not a product.
@@ -228,6 +231,30 @@ fn is_group_of_thousands(before: &Token<'_>, written: &str) -> bool {
             .next()
             .is_some_and(|whole| whole.len() == 3 && is_group(whole))
         && written.starts_with('0')
+}
+
+/// Where the whole number stands of one with a fraction, `1 1/2` or `1 ½`, which may be two numbers; the last
+/// number of it comes after `before`.
+fn mixed_number(before: &[Token<'_>], last: f64, written: &str, spacing: Spacing) -> Option<Span> {
+    let is_whole = |token: &Token<'_>| {
+        let is_digits = token.text.bytes().all(|digit| digit.is_ascii_digit());
+        matches!(token.kind, TokenKind::Number(value) if is_digits && value >= 1.0)
+    };
+    let (before, spacing) = match before {
+        [before @ .., above, divide]
+            if divide.kind == TokenKind::Divide
+                && matches!(above.kind, TokenKind::Number(above) if above < last) =>
+        {
+            (before, above.spacing)
+        }
+        _ if written == "½" => (before, spacing),
+        _ => return None,
+    };
+    let (whole, earlier) = before.split_last()?;
+    let is_divisor = earlier
+        .last()
+        .is_some_and(|token| matches!(token.kind, TokenKind::Divide | TokenKind::Times));
+    (spacing == Spacing::Apart && is_whole(whole) && !is_divisor).then_some(whole.span)
 }
 
 /// One character that continues a name.

@@ -20,6 +20,9 @@ pub(crate) mod lex;
 // What stands inside which brackets.
 pub(crate) mod nesting;
 
+// Commas and semicolons that say more.
+pub(crate) mod separators;
+
 // Signs that may mean two things.
 pub(crate) mod signs;
 

@@ -29,6 +29,7 @@ pub(crate) fn for_all(text: &str, unit_of: &dyn Fn(&str) -> Option<UnitSource>) 
             text.split_once(char::is_whitespace)
                 .map(|(first, rest)| format!("{first} {word} {rest}")),
         );
+        candidates.extend(behind_large_numbers(text, word));
         let says_so = |candidate: &String| unit_of(candidate) == Some(UnitSource::Written(unit));
         candidates.into_iter().find(says_so)
     };
@@ -36,6 +37,22 @@ pub(crate) fn for_all(text: &str, unit_of: &dyn Fn(&str) -> Option<UnitSource>) 
         in_degrees: written(AngleUnit::Degrees, "deg"),
         in_radians: written(AngleUnit::Radians, "rad"),
     }
+}
+
+/// With the word behind every number that is more than a full turn, as in the call of a library.
+fn behind_large_numbers(text: &str, word: &str) -> Option<String> {
+    let tokens = Telling::of(text).ok()?.tokens;
+    let is_large = |token: &&Token<'_>| matches!(token.kind, TokenKind::Number(value) if value > FULL_TURN_RAD);
+    let mut written = String::new();
+    let mut end = 0;
+    for number in tokens.iter().filter(is_large) {
+        written.push_str(text.get(end..number.span.end)?);
+        written.push(' ');
+        written.push_str(word);
+        end = number.span.end;
+    }
+    written.push_str(text.get(end..)?);
+    (end > 0).then_some(written)
 }
 
 /// With the word inside every function, where a number there is more than a full turn; `is_read` tells

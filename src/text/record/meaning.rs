@@ -4,7 +4,8 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
 use crate::text::record::group::words_of;
-use crate::text::vocabulary::constructors::{Call, call, is_derived_label, order_in_name};
+use crate::text::vocabulary::constructors::{Call, call, order_in_name};
+use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 
 /// What numbers are by their name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -153,7 +154,9 @@ impl Meaning {
         self.by_columns |= words
             .iter()
             .any(|word| matches!(word.as_str(), "column" | "columns" | "columnmajor"));
-        let derived = is_derived_label(key)
+        let derived = meanings_of(key)
+            .iter()
+            .any(|word| matches!(word, LabelWord::Derived(_)))
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));

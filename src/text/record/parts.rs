@@ -134,6 +134,7 @@ pub(crate) fn quaternion(
         order,
         order_source,
         unknown_constructor: None,
+        is_announced: false,
     }))
 }
 

@@ -1,7 +1,7 @@
 //! What consoles write around numbers.
 
 use crate::text::grammar::MAX_DEPTH;
-use crate::text::grammar::lex::{Bracket, Token, TokenKind};
+use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::text::grammar::tree::CallsAreRead;
 
 /// Names before the length of a list, as Node and browsers print them: typed arrays, arrays, and the
@@ -48,6 +48,48 @@ pub(crate) fn without_list_names<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
         at += length.max(1);
     }
     bare
+}
+
+/// The tokens without the numbers in brackets that R prints before its lines, `[1] 0.92 0.10`, which count the
+/// numbers before them.
+pub(crate) fn without_indices<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
+    // A number in brackets of its own is a member where the first of them is none.
+    if !index_ahead(tokens, 0) {
+        return tokens.to_vec();
+    }
+    let mut bare = Vec::with_capacity(tokens.len());
+    let mut at = 0;
+    let mut numbers = 0;
+    while let Some(token) = tokens.get(at) {
+        if index_ahead(&tokens[at..], numbers) {
+            at += 3;
+            continue;
+        }
+        numbers += usize::from(matches!(token.kind, TokenKind::Number(_)));
+        bare.push(*token);
+        at += 1;
+    }
+    bare
+}
+
+/// Whether tokens begin a line with the place of its first number in brackets, behind so many others.
+fn index_ahead(tokens: &[Token<'_>], numbers: usize) -> bool {
+    let [open, index, close, next, ..] = tokens else {
+        return false;
+    };
+    let TokenKind::Number(place) = index.kind else {
+        return false;
+    };
+    open.kind == TokenKind::Open(Bracket::Square)
+        && close.kind == TokenKind::Close(Bracket::Square)
+        && [index, close]
+            .into_iter()
+            .all(|token| token.spacing.is_adjacent())
+        && index.text.bytes().all(|digit| digit.is_ascii_digit())
+        && place == (numbers + 1) as f64
+        && (numbers == 0 || open.spacing == Spacing::NextLine)
+        && next.spacing == Spacing::Apart
+        && next.kind != TokenKind::Comma
 }
 
 /// Whether among tokens are the name and the length that a console prints before a list.

@@ -3,7 +3,8 @@
 use crate::convention::order::ComponentOrder::{self, ScalarFirst, ScalarLast};
 use crate::text::grammar::lex::last_segment;
 
-/// A constructor's last path segments, joined by points, and the order of its arguments.
+/// A constructor's last path segments, and the order of its arguments: joined by points for any language, by `::`
+/// for those that write it so.
 ///
 /// Each was measured by running the library or read in its source; names that mean different
 /// orders in different libraries, such as a bare `Quaternion`, are left out on purpose.
@@ -42,7 +43,8 @@ const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
     ("nalgebra.Quaternion.new", ScalarFirst),
     ("na.Quaternion.new", ScalarFirst),
     ("cgmath.Quaternion.new", ScalarFirst),
-    ("Quaternion.new", ScalarFirst),
+    // Not with a point: modules of Lua take the scalar last.
+    ("Quaternion::new", ScalarFirst),
 ];
 
 /// What a call does with its numbers, as far as its name tells.
@@ -61,10 +63,11 @@ pub(crate) enum Call {
 }
 
 /// Words that say that a call computes, or that its numbers are not components.
-const OPERATIONS: [&str; 24] = [
-    "2quat", "about", "align", "angle", "as_", "axang", "axis", "between", "conj", "cross", "diff",
-    "dot", "euler", "exp", "inv", "lerp", "log", "look", "matrix", "mul", "pow", "rotvec", "rpy",
-    "to_",
+const OPERATIONS: [&str; 34] = [
+    "2quat", "about", "align", "angle", "as_", "average", "axang", "axis", "between", "conj",
+    "cross", "deriv", "diff", "dot", "euler", "exp", "halve", "inv", "lerp", "log", "look",
+    "matrix", "mirror", "mul", "negat", "pow", "random", "reflect", "rotvec", "rpy", "sqrt",
+    "swap", "to_", "twist",
 ];
 
 pub(crate) fn call(name: &str) -> Call {
@@ -105,9 +108,13 @@ pub(crate) fn call(name: &str) -> Call {
 
 /// Whether the last segments of a path are these, which are joined by points.
 pub(crate) fn ends_with_path(path: &str, segments: &str) -> bool {
-    let path = path.replace("::", ".");
+    let path = if segments.contains("::") {
+        path.to_owned()
+    } else {
+        path.replace("::", ".")
+    };
     path.strip_suffix(segments)
-        .is_some_and(|before| before.is_empty() || before.ends_with('.'))
+        .is_some_and(|before| before.is_empty() || before.ends_with(['.', ':']))
 }
 
 /// The order that a name spells out, such as `from_xyzw` or `q_wxyz`.
@@ -132,40 +139,6 @@ fn names_both_orders(name: &str) -> bool {
 pub(crate) fn is_matrix(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
-}
-
-/// Words of a label that say that it is no attitude itself, or is that of the opposite turn.
-const DERIVED: [&str; 23] = [
-    "acceleration",
-    "bias",
-    "conj",
-    "conjugate",
-    "cov",
-    "covariance",
-    "dot",
-    "inv",
-    "inverse",
-    "inverted",
-    "noise",
-    "rate",
-    "rates",
-    "sigma",
-    "speed",
-    "std",
-    "stddev",
-    "transpose",
-    "transposed",
-    "var",
-    "variance",
-    "vel",
-    "velocity",
-];
-
-/// Whether a label names what was made of a rotation: `rpy_rate`, `inverse_matrix`, `R.T`.
-pub(crate) fn is_derived_label(name: &str) -> bool {
-    let lower = name.to_ascii_lowercase();
-    let mut words = lower.split(['_', '.', '-', ' ', ':']);
-    name.ends_with(".T") || words.any(|word| DERIVED.contains(&word))
 }
 
 /// Whether a label says that what it names is a quaternion: `q`, `q_wb`, `orientation`; a pose holds more.

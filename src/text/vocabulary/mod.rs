@@ -12,12 +12,21 @@ pub(crate) mod constructors;
 // Words of a declaration.
 pub(crate) mod declaration;
 
+// The lists of the words of labels.
+mod label_words;
+
+// What labels say of the numbers under them.
+pub(crate) mod labels;
+
 // Words that are known before numbers.
 pub(crate) mod phrases;
 
+use crate::problem::Span;
 use crate::problem::fault::Fault;
+use crate::text::grammar::blank::comments_in;
 use crate::text::grammar::lex::{self, Bracket, Token, TokenKind};
-use crate::text::vocabulary::console::{names_a_list, without_list_names};
+use crate::text::grammar::separators::grouped;
+use crate::text::vocabulary::console::{names_a_list, without_indices, without_list_names};
 use crate::text::vocabulary::declaration::without_words;
 
 /// What a text says of its numbers: its tokens without the words of a declaration, and without what a
@@ -28,16 +37,33 @@ pub(crate) struct Telling<'t> {
     pub(crate) has_words: bool,
     /// Whether a console printed it as one list, by its name and length.
     pub(crate) is_one_list: bool,
+    pub(crate) comments: Vec<Comment<'t>>,
+}
+
+/// A comment with its marks, and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Comment<'t> {
+    pub(crate) text: &'t str,
+    pub(crate) span: Span,
+}
+
+impl Comment<'_> {
+    pub(crate) fn has_words(&self) -> bool {
+        self.text.contains(char::is_alphabetic)
+    }
 }
 
 impl<'t> Telling<'t> {
     pub(crate) fn of(text: &'t str) -> Result<Self, Fault> {
         let tokens = lex::tokens(text)?;
+        let comments = comments(text, &tokens);
+        let tokens = grouped(without_indices(&tokens))?;
         if !has_words(&tokens) {
             return Ok(Self {
                 tokens,
                 has_words: false,
                 is_one_list: false,
+                comments,
             });
         }
         let tokens = without_words(&tokens);
@@ -45,8 +71,29 @@ impl<'t> Telling<'t> {
             is_one_list: names_a_list(&tokens),
             tokens: without_list_names(&tokens),
             has_words: true,
+            comments,
         })
     }
+}
+
+/// The comments of a text, which stand between its tokens.
+fn comments<'t>(text: &'t str, tokens: &[Token<'_>]) -> Vec<Comment<'t>> {
+    let starts = std::iter::once(0).chain(tokens.iter().map(|token| token.span.end));
+    let ends = tokens
+        .iter()
+        .map(|token| token.span.start)
+        .chain([text.len()]);
+    let gaps = starts.zip(ends).filter(|(start, end)| end > start);
+    gaps.flat_map(|(start, end)| {
+        comments_in(&text[start..end])
+            .into_iter()
+            .map(move |span| Span::from(start + span.start..start + span.end))
+    })
+    .map(|span| Comment {
+        text: &text[span.start..span.end],
+        span,
+    })
+    .collect()
 }
 
 /// Names, units, `<<`, and a minus that touches the number before it, as in `3-2-1`.

@@ -5,7 +5,7 @@ use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::lex::{Token, TokenKind, last_segment};
-use crate::text::vocabulary::constructors::is_derived_label;
+use crate::text::vocabulary::labels::other_than_rotation;
 
 /// What numbers can be announced as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,8 +105,8 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
         let said = match Said::of(words) {
             None if is_mark(tokens.get(length)) => {
                 // `imu rate rpy:` is something else, as `rpy_rate:` is.
-                let is_derived = |token: &Token<'_>| is_derived_label(token.text);
-                Said::of_label(words).filter(|_| !tokens[..length].iter().any(is_derived))
+                let label: Vec<_> = tokens[..length].iter().map(|token| token.text).collect();
+                Said::of_label(words).filter(|_| other_than_rotation(&label.join(" ")).is_none())
             }
             said => said,
         }?;

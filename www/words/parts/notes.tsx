@@ -110,6 +110,13 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
           <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
         </>
       );
+    case "columns-from-text":
+      return (
+        <>
+          The text says that these are columns. As rows they are the inverse rotation,{" "}
+          <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
+        </>
+      );
     case "nearest-rotation":
       return (
         <>

@@ -1,0 +1,329 @@
+//! What labels and comments tell of all the numbers beside them.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::matrix::MatrixConvention;
+use crate::convention::order::ComponentOrder;
+use crate::convention::{Convention, Direction};
+use crate::problem::fault::Fault;
+use crate::problem::{Span, Wanted};
+use crate::text::description::ParsedRotation;
+use crate::text::grammar::lex::{Token, TokenKind};
+use crate::text::vocabulary::labels::{Derived, LabelWord, is_plain, meanings_of, words_of};
+use crate::text::vocabulary::phrases::{is_mark, is_name};
+use crate::text::vocabulary::{Comment, Telling};
+
+/// What labels and comments tell, as far as it is no part of a form.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Told<'t> {
+    /// That of four components, by a comment.
+    pub(crate) order: Option<ComponentOrder>,
+    /// That of all the angles, by a comment.
+    pub(crate) unit: Option<AngleUnit>,
+    /// Whether the nine numbers of a matrix stand by rows or by columns.
+    layout: Option<Saying<'t>>,
+    /// Whose product it is, and directions.
+    conventions: Vec<Saying<'t>>,
+    /// A letter that names many matrices which are no rotation.
+    symbol: Option<Saying<'t>>,
+}
+
+/// What a label or a comment says, as it is written, and where.
+#[derive(Clone, Copy, Debug)]
+struct Saying<'t> {
+    word: LabelWord,
+    written: &'t str,
+    span: Span,
+}
+
+impl<'t> Told<'t> {
+    /// What the labels and the comments of a text tell; a problem where a comment says that the numbers are
+    /// something else, or where only the whole core knows what is said.
+    pub(crate) fn of(telling: &Telling<'t>, text: &'t str, wanted: Wanted) -> Result<Self, Fault> {
+        let mut told = Self::default();
+        if !telling.has_words && telling.comments.is_empty() {
+            return Ok(told);
+        }
+        for (at, span) in labels(&telling.tokens) {
+            let written = &text[span.start..span.end];
+            if cfg!(feature = "whole") {
+                told.take_label(written, span, &telling.tokens[at + 1..]);
+            } else if !is_plain(written) {
+                return Err(Fault::other_label(span, written, "", wanted));
+            }
+        }
+        if cfg!(feature = "whole") {
+            told.take_comments(&telling.comments, wanted)?;
+        } else if let Some(comment) = telling.comments.iter().find(|comment| comment.has_words()) {
+            return Err(Fault::other_label(comment.span, comment.text, "", wanted));
+        }
+        Ok(told)
+    }
+
+    fn take_label(&mut self, written: &'t str, span: Span, value: &[Token<'_>]) {
+        const SYMBOLS: [&str; 6] = ["J", "K", "P", "S", "W", "Σ"];
+        let saying = |word| Saying {
+            word,
+            written,
+            span,
+        };
+        if SYMBOLS.contains(&written.trim_matches(['"', '\''])) {
+            self.symbol = Some(saying(LabelWord::Quantity("a covariance or an inertia")));
+        }
+        for word in meanings_of(written) {
+            match word {
+                LabelWord::Handedness(_) | LabelWord::Direction(_) => {
+                    self.conventions.push(saying(word));
+                }
+                // `cols: 3` counts them.
+                LabelWord::Columns | LabelWord::Rows | LabelWord::Elements if !is_count(value) => {
+                    self.layout = Some(saying(word));
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn take_comments(&mut self, comments: &[Comment<'t>], wanted: Wanted) -> Result<(), Fault> {
+        let mut letters = String::new();
+        let mut units = Vec::new();
+        for comment in comments {
+            let refused = |word: LabelWord| {
+                Fault::other_label(comment.span, comment.text, word.in_words(), wanted)
+            };
+            let words: Vec<&str> = words_of(comment.text).collect();
+            letters.extend(words.iter().filter(|word| is_component(word)).copied());
+            for (at, word) in words.iter().enumerate() {
+                // `# 90 deg` says what this angle is.
+                let follows_number = at > 0 && words[at - 1].parse::<f64>().is_ok();
+                if let Some(unit) = AngleUnit::named(&word.to_ascii_lowercase())
+                    && !follows_number
+                {
+                    units.push(unit);
+                }
+            }
+            for word in meanings_of(comment.text) {
+                let saying = Saying {
+                    word,
+                    written: comment.text,
+                    span: comment.span,
+                };
+                match word {
+                    LabelWord::Derived(made) if is_told_in_prose(made, wanted) => {
+                        return Err(refused(word));
+                    }
+                    LabelWord::LeftHanded | LabelWord::OtherOrder => return Err(refused(word)),
+                    LabelWord::Quantity(_) if wanted == Wanted::Quaternion && words.len() < 3 => {
+                        return Err(refused(word));
+                    }
+                    LabelWord::Order(order) if self.order.is_some_and(|own| own != order) => {
+                        return Err(refused(LabelWord::OtherOrder));
+                    }
+                    LabelWord::Order(order) => self.order = Some(order),
+                    LabelWord::Handedness(_) | LabelWord::Direction(_) => {
+                        self.conventions.push(saying);
+                    }
+                    LabelWord::Columns | LabelWord::Rows if comment.text.contains("major") => {
+                        self.layout = Some(saying);
+                    }
+                    _ => {}
+                }
+            }
+        }
+        if let [unit, others @ ..] = &units[..]
+            && others.iter().all(|other| other == unit)
+        {
+            self.unit = Some(*unit);
+        }
+        self.take_letters(&letters, comments, wanted)
+    }
+
+    /// `# x y z w`, `/* x */ 0.1, /* y */ …`
+    fn take_letters(
+        &mut self,
+        letters: &str,
+        comments: &[Comment<'t>],
+        wanted: Wanted,
+    ) -> Result<(), Fault> {
+        let lower = letters.to_ascii_lowercase();
+        let order = match (wanted, lower.as_str()) {
+            (Wanted::Quaternion, "wxyz") => Some(ComponentOrder::ScalarFirst),
+            (Wanted::Quaternion, "xyzw") => Some(ComponentOrder::ScalarLast),
+            (Wanted::Vector, "xyz") => None,
+            _ => {
+                let names = match wanted {
+                    Wanted::Quaternion => "wxyz",
+                    Wanted::Vector => "xyz",
+                };
+                let is_permuted =
+                    lower.len() == names.len() && names.chars().all(|name| lower.contains(name));
+                match comments.first().filter(|_| is_permuted) {
+                    Some(first) => {
+                        let other = LabelWord::OtherOrder.in_words();
+                        return Err(Fault::other_label(first.span, first.text, other, wanted));
+                    }
+                    None => None,
+                }
+            }
+        };
+        self.order = self.order.or(order);
+        Ok(())
+    }
+
+    /// The rotation as its labels have it: a matrix whose columns they say to stand there is transposed; and
+    /// whether rows or columns were told.
+    pub(crate) fn laid_out(
+        &self,
+        rotation: ParsedRotation,
+        has_rows: bool,
+    ) -> Result<(ParsedRotation, Option<Layout>), Fault> {
+        let ParsedRotation::Matrix(matrix) = rotation else {
+            return match self.layout {
+                Some(Saying {
+                    word: LabelWord::Columns,
+                    written,
+                    span,
+                }) => Err(Fault::unknown_argument(span, written)),
+                _ => Ok((rotation, None)),
+            };
+        };
+        if let Some(symbol) = self.symbol
+            && matrix == matrix.transpose()
+        {
+            let what = symbol.word.in_words();
+            return Err(Fault::other_label(
+                symbol.span,
+                symbol.written,
+                what,
+                Wanted::Quaternion,
+            ));
+        }
+        Ok(match self.layout.map(|saying| saying.word) {
+            Some(LabelWord::Elements) if has_rows => (rotation, None),
+            Some(LabelWord::Columns | LabelWord::Elements) => (
+                ParsedRotation::Matrix(matrix.transpose()),
+                Some(Layout::Columns),
+            ),
+            Some(LabelWord::Rows) => (rotation, Some(Layout::Rows)),
+            _ => (rotation, None),
+        })
+    }
+
+    /// What the label of a rotation in a whole block tells.
+    #[cfg(feature = "whole")]
+    pub(crate) fn of_label(label: &'t str, span: Span) -> Self {
+        let mut told = Self::default();
+        told.take_label(label, span, &[]);
+        told.layout = None;
+        told
+    }
+
+    /// What is declared, with the direction that the text tells; whether that is another one.
+    pub(crate) fn directed(
+        &self,
+        rotation: &ParsedRotation,
+        convention: Convention,
+        matrix: MatrixConvention,
+    ) -> (Convention, MatrixConvention, Option<Direction>) {
+        let mut directions = self
+            .conventions
+            .iter()
+            .filter_map(|saying| match saying.word {
+                LabelWord::Direction(direction) => Some(direction),
+                _ => None,
+            });
+        let Some(told) = directions.next() else {
+            return (convention, matrix, None);
+        };
+        let turned_convention = Convention {
+            direction: convention.direction.reversed(),
+            ..convention
+        };
+        let turned_matrix = MatrixConvention {
+            direction: matrix.direction.reversed(),
+            ..matrix
+        };
+        match rotation {
+            ParsedRotation::Quaternion(_) if convention.operator() != told => {
+                (turned_convention, matrix, Some(told))
+            }
+            ParsedRotation::Matrix(_) if matrix.operator() != told => {
+                (convention, turned_matrix, Some(told))
+            }
+            _ => (convention, matrix, None),
+        }
+    }
+
+    /// That no label and no comment names another convention than is declared.
+    ///
+    /// Angles with their axes are always those of the body's attitude: what leads from the world to the body
+    /// is the opposite of them.
+    pub(crate) fn check(
+        &self,
+        rotation: &ParsedRotation,
+        convention: Convention,
+        matrix: MatrixConvention,
+    ) -> Result<(), Fault> {
+        let direction = match rotation {
+            ParsedRotation::Quaternion(_) => convention.operator(),
+            ParsedRotation::Matrix(_) => matrix.operator(),
+            _ => Direction::BodyToWorld,
+        };
+        for &Saying {
+            word,
+            written,
+            span,
+        } in &self.conventions
+        {
+            let agrees = match word {
+                LabelWord::Handedness(handedness) => handedness == convention.handedness,
+                LabelWord::Direction(told) => told == direction,
+                _ => true,
+            };
+            if !agrees {
+                return Err(Fault::told_otherwise(span, written, word.in_words()));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How a label says that nine numbers stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Layout {
+    Rows,
+    Columns,
+}
+
+/// The marks of the labels among tokens, and where the names stand that are before each.
+fn labels(tokens: &[Token<'_>]) -> Vec<(usize, Span)> {
+    let marks = (0..tokens.len()).filter(|&at| is_mark(tokens.get(at)));
+    marks
+        .filter_map(|at| {
+            let names = tokens[..at].iter().rev().take_while(|token| is_name(token));
+            let [first, .., last] = [names.clone().last()?, names.clone().next()?];
+            Some((at, first.span.to(last.span)))
+        })
+        .collect()
+}
+
+/// Whether what follows a mark is one number.
+fn is_count(value: &[Token<'_>]) -> bool {
+    let is_number = |token: &Token<'_>| matches!(token.kind, TokenKind::Number(_));
+    matches!(value, [number, rest @ ..] if is_number(number)
+        && rest.first().is_none_or(|next| is_name(next)
+            || matches!(next.kind, TokenKind::Close(_))
+            || (next.kind == TokenKind::Comma && rest.get(1).is_none_or(is_name))))
+}
+
+fn is_component(word: &str) -> bool {
+    matches!(word, "w" | "x" | "y" | "z" | "W" | "X" | "Y" | "Z")
+}
+
+/// Whether a word in a sentence says that the numbers are made of others; a minus there may be any.
+fn is_told_in_prose(made: Derived, wanted: Wanted) -> bool {
+    match made {
+        Derived::Negative => false,
+        Derived::Rate => wanted == Wanted::Quaternion,
+        Derived::Inverse | Derived::Conjugate | Derived::Transposed | Derived::Spread => true,
+    }
+}

@@ -5,8 +5,8 @@ use crate::analyze::describe::{HALF_TURN_SCALAR, is_half_turn};
 use crate::analyze::plain_numbers::plain;
 use crate::contract::{
     AxesAsColumns, ColumnsFromText, Fact, FarFromUnit, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, RowsAssumed, UnknownConstructor,
-    UsedNearestRotation,
+    Normalised, Note, OrderAssumed, OrderFromText, RotationAssumed, RowsAssumed,
+    UnknownConstructor, UsedNearestRotation,
 };
 use crate::convention::Convention;
 use crate::convention::order::OrderSource;
@@ -37,6 +37,9 @@ impl Attitude {
         if is_far {
             facts.push(Fact::FarFromUnit(FarFromUnit { norm, deviation }));
         }
+        let parsed = self.parsed.as_ref().filter(|parsed| !parsed.is_announced);
+        let label = parsed.and_then(|parsed| parsed.unexplained_label.clone());
+        facts.extend(label.map(|label| Fact::RotationAssumed(RotationAssumed { label })));
         facts.extend(self.order_fact());
         facts.extend(self.unit.clone().map(Fact::AngleUnitAssumed));
         match self.row_marks {

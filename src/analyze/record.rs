@@ -4,17 +4,19 @@ use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::plain_numbers::plain as plain_number;
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
+    RotationAssumed,
 };
 use crate::convention::Direction;
+use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
-use crate::problem::{Span, Wanted};
+use crate::problem::{Span, Wanted, shorten};
 use crate::text::description::told::Told;
 use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::mend::written::rotation_text;
 use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
-use crate::text::vocabulary::labels::{LabelWord, meanings_of};
+use crate::text::vocabulary::labels::{LabelWord, meanings_of, says_nothing};
 use crate::text::{ParsedRotation, RotationText, RowMarks};
 use nalgebra::Vector3;
 
@@ -109,6 +111,10 @@ pub(crate) fn of_record(
         });
     }
     told.extend(found_in_text(&record, found, &attitude, text));
+    if is_assumed(found) {
+        let label = shorten(&found.label, LONGEST_LABEL);
+        told.push(Fact::RotationAssumed(RotationAssumed { label }));
+    }
     if let Some(format) = found.format.filter(|format| format.marks.is_empty()) {
         told.push(Fact::FormatAssumed(FormatAssumed {
             format: format.name.to_owned(),
@@ -134,6 +140,21 @@ fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
         }
         rotation => rotation.clone(),
     }
+}
+
+/// How much of a label a note repeats, in characters.
+const LONGEST_LABEL: usize = 40;
+
+/// Whether only the count of the numbers, or that they are upright, makes a rotation of them: the label
+/// says nothing, and no format is marked.
+fn is_assumed(found: &RecordRotation) -> bool {
+    let is_any = match &found.rotation {
+        ParsedRotation::Quaternion(parsed) => parsed.order_source == OrderSource::Declared,
+        // A matrix of real numbers that is one is no accident; a permutation may be anything.
+        ParsedRotation::Matrix(matrix) => matrix.iter().all(|entry| entry.fract() == 0.0),
+        _ => false,
+    };
+    found.format.is_none() && is_any && !found.label.is_empty() && says_nothing(&found.label)
 }
 
 /// That a rotation is made of another one, or is computed.

@@ -92,6 +92,8 @@ pub enum Fact {
     /// The text tells which frame's coordinates the numbers take to which, and it is not the declared
     /// direction.
     DirectionFromText(DirectionFromText),
+    /// Only the count of the numbers says that they are a rotation: their label says nothing of one.
+    RotationAssumed(RotationAssumed),
     /// The rotation was found in a text that holds more.
     FoundInText(FoundInText),
     /// The text holds the rotation a second time, in another description.
@@ -143,6 +145,7 @@ impl Fact {
             | Self::RowsAssumed(_)
             | Self::AxesAsColumns(_)
             | Self::DescriptionsDisagree(_)
+            | Self::RotationAssumed(_)
             | Self::FormatAssumed(_) => true,
             Self::Normalised(_)
             | Self::NearestRotation(_)
@@ -201,6 +204,14 @@ pub struct OrderFromText {
 pub struct DirectionFromText {
     /// The direction that was used.
     pub direction: Direction,
+}
+
+/// The data of [`Fact::RotationAssumed`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RotationAssumed {
+    /// The label as typed, at most some words of it.
+    pub label: String,
 }
 
 /// The data of [`Fact::OrderAssumed`].

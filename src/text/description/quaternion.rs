@@ -11,6 +11,8 @@ use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
 use crate::text::vocabulary::constructors::{self, Call};
 use crate::text::vocabulary::labels::order_of;
+#[cfg(feature = "whole")]
+use crate::text::vocabulary::labels::says_nothing;
 use nalgebra::{Quaternion, Vector3};
 use std::borrow::Cow;
 
@@ -28,6 +30,9 @@ pub struct ParsedQuaternion {
     /// Whether the text itself says that its numbers are a quaternion: by a word or a label, a
     /// constructor, the units i, j and k, or names such as `qw`.
     pub is_announced: bool,
+    /// The label of the numbers where it says nothing of a rotation, so that only their count does; only with
+    /// the feature `whole`.
+    pub unexplained_label: Option<String>,
 }
 
 /// How much of an unknown constructor's name a note repeats, in characters.
@@ -41,6 +46,7 @@ struct Order {
     source: OrderSource,
     unknown_constructor: Option<String>,
     is_announced: bool,
+    unexplained_label: Option<String>,
 }
 
 impl Order {
@@ -51,7 +57,25 @@ impl Order {
             source,
             unknown_constructor: None,
             is_announced: self.is_announced,
+            unexplained_label: self.unexplained_label.clone(),
         }
+    }
+
+    /// With the label of the numbers, where it says nothing.
+    #[cfg(feature = "whole")]
+    fn labelled(self, label: Option<Key<'_>>) -> Self {
+        let unexplained = label.filter(|label| says_nothing(label.name));
+        Self {
+            unexplained_label: unexplained
+                .map(|label| shorten(label.name, LONGEST_NAME))
+                .or(self.unexplained_label),
+            ..self
+        }
+    }
+
+    #[cfg(not(feature = "whole"))]
+    fn labelled(self, _: Option<Key<'_>>) -> Self {
+        self
     }
 
     /// That the text says that it is a quaternion.
@@ -82,6 +106,7 @@ impl Order {
             order_source: self.source,
             unknown_constructor: self.unknown_constructor,
             is_announced: self.is_announced,
+            unexplained_label: self.unexplained_label,
         }
     }
 }
@@ -108,6 +133,7 @@ pub(crate) fn quaternion(
         },
         unknown_constructor: None,
         is_announced: false,
+        unexplained_label: None,
     };
     read_quaternion(entries, span, order, Place::Open)
 }
@@ -133,7 +159,7 @@ fn read_quaternion(
             return Err(Fault::unknown_argument(label.span, label.name));
         }
         Some(named) => order.told(named, OrderSource::Named),
-        None => order,
+        None => order.labelled(label),
     };
     if let [only] = &entries[..]
         && only.key.is_none()

@@ -135,6 +135,7 @@ pub(crate) fn quaternion(
         order_source,
         unknown_constructor: None,
         is_announced: false,
+        unexplained_label: None,
     }))
 }
 

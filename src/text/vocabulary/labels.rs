@@ -211,6 +211,23 @@ pub(crate) fn is_plain(name: &str) -> bool {
     })
 }
 
+/// The longest name that is a symbol, which says as little as no name: `a`, `q0`, `foo`.
+#[cfg(feature = "whole")]
+const LONGEST_SYMBOL: usize = 3;
+
+/// Whether a label has no word that is known of rotations, so that four numbers under it may be anything:
+/// `Model coefficients`, `waypoint`, a word of another language.
+#[cfg(feature = "whole")]
+pub(crate) fn says_nothing(name: &str) -> bool {
+    let is_known = |word: &str| {
+        let lower = word.to_lowercase();
+        let is_listed = PLAIN.split_ascii_whitespace().any(|plain| plain == lower);
+        is_listed || meaning_of_word(word).is_some()
+    };
+    let is_symbol = name.is_ascii() && name.len() <= LONGEST_SYMBOL;
+    !is_symbol && !words_of(name).any(is_known)
+}
+
 /// The order that a value is and nothing else: `xyzw`, `scalar_last`.
 pub(crate) fn order_alone(value: &str) -> Option<ComponentOrder> {
     match value {

@@ -54,7 +54,6 @@ pub(crate) fn of_record(
             Err(problem) => fault = fault.or(Some(problem)),
         }
     }
-    let derived = record.rotations.iter().find(|found| found.is_derived);
     let has_head = record.head.is_some();
     if read.is_empty() && plain.is_some() && has_head && record.rotations.is_empty() {
         return Some(Err(Fault::no_rotation_in_row(record.rows[0])));

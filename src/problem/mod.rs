@@ -55,7 +55,7 @@ pub enum Field {
 }
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
-pub(crate) const MAX_TEXT_BYTES: usize = 65_536;
+pub(crate) const MAX_TEXT_BYTES: usize = 131_072;
 
 /// Whether a text is longer than any that is read.
 pub(crate) const fn is_too_long(text: &str) -> bool {

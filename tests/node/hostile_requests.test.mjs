@@ -377,7 +377,7 @@ test("a huge text is measured, and the memory of the wasm stays as it is", () =>
   const bytes = () => instances.at(-1).exports.memory.buffer.byteLength;
   // All of it: of so long a text not even the spaces are looked at.
   const span = (text) => ({ start: 0, end: text.length });
-  const check = (text, problem, what, most = 65536) => {
+  const check = (text, problem, what, most = 131072) => {
     assert.equal(problem.code, "text-too-long", what);
     const length = Buffer.byteLength(text);
     assert.equal(problem.message, `the text has ${length} bytes; at most ${most} are read`, what);

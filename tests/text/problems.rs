@@ -150,7 +150,7 @@ const CASES: &[(&str, &str)] = cases![
     "tab-before-the-error",
     "ten-thousand-brackets",
     "ten-thousand-brackets-that-close",
-    "text-of-100-kb",
+    "text-of-200-kb",
     "the-last-number-without-a-name",
     "three-numbers",
     "too-large",

@@ -1,6 +1,15 @@
 // What is said of an input, and what the buttons that fix it are called.
 import type { ComponentChildren } from "preact";
-import type { ComponentOrder, Note, OrderSource, OutOfRangeNumber, Remedy } from "../../engine.ts";
+import type {
+  BesideQuantity,
+  ComponentOrder,
+  Direction,
+  FoundInText,
+  Note,
+  OrderSource,
+  OutOfRangeNumber,
+  Remedy,
+} from "../../engine.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
 import { shown, shownRoughAngle } from "../../number/format.ts";
 import { lettersOf, symbolOf } from "../conventions.ts";
@@ -15,6 +24,8 @@ const sources: Record<OrderSource, string> = {
   named: "names",
   grouped: "brackets",
   constructor: "constructor",
+  label: "words",
+  format: "format",
 };
 
 const outOfRange: Record<OutOfRangeNumber, string> = {
@@ -23,6 +34,49 @@ const outOfRange: Record<OutOfRangeNumber, string> = {
   image: "The rotated vector is beyond the range of a double and is left out.",
   product: "The product is beyond the range of a double: that of the unit quaternions is shown.",
 };
+
+const directionWords: Record<Direction, string> = {
+  "body-to-world": "body to world",
+  "world-to-body": "world to body",
+};
+
+const quantities: Record<BesideQuantity, string> = { position: "position", scale: "scale" };
+
+const quotedLabel = (label: string | undefined) =>
+  label === undefined ? null : (
+    <>
+      {" "}
+      (<q>{label}</q>)
+    </>
+  );
+
+const numbersOf = (numbers: readonly number[]) => (
+  <code>{numbers.map((number) => shown(number, "all")).join(" ")}</code>
+);
+
+/** What stands around the rotation in a text, and where that puts the body. */
+function foundWords({ format, label, beside }: FoundInText): ComponentChildren {
+  return (
+    <>
+      {format === undefined ? <>Found in the text</> : <>Found in a text of {format}</>}
+      {quotedLabel(label)}
+      {beside.map(({ quantity, label: own, numbers, bodyInWorld }) => (
+        <>
+          ; {quantities[quantity]}
+          {quotedLabel(own)} {numbersOf(numbers)}
+          {bodyInWorld !== undefined && !areSame(numbers, bodyInWorld) && (
+            <>, which puts the body at {numbersOf(bodyInWorld)} in the world</>
+          )}
+        </>
+      ))}
+      .
+    </>
+  );
+}
+
+/** Whether two lists of numbers are the same. */
+const areSame = (one: readonly number[], other: readonly number[]) =>
+  one.every((number, at) => number === other[at]);
 
 /** A number of two or three digits, for a sentence. */
 const rough = (number: number, precision = 2) =>
@@ -52,6 +106,44 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
         <>
           {aQuaternion(fact.norm)}? Four such numbers are often a point, an axis and an angle, or a
           position with a yaw or a time.
+        </>
+      );
+    case "rotation-assumed":
+      return (
+        <>
+          <q>{fact.label}</q> does not say what these numbers are: read as a rotation, as which they
+          pass. They may be something else.
+        </>
+      );
+    case "direction-from-text":
+      return (
+        <>
+          The text says <strong>{directionWords[fact.direction]}</strong>, which is not the declared
+          direction; the text wins.
+        </>
+      );
+    case "found-in-text":
+      return foundWords(fact);
+    case "second-description":
+      return (
+        <>
+          The text holds the rotation a second time{quotedLabel(fact.label)}: the two agree within{" "}
+          <code>{shownRoughAngle(fact.differsByDeg, unit, 2)}</code>.
+        </>
+      );
+    case "descriptions-disagree":
+      return (
+        <>
+          The text holds another rotation{quotedLabel(fact.label)},{" "}
+          <code>{shownRoughAngle(fact.differsByDeg, unit)}</code> away from the one that was read:{" "}
+          <code>{fact.text}</code>
+        </>
+      );
+    case "format-assumed":
+      return (
+        <>
+          Nothing names these numbers: read as a row of <strong>{fact.format}</strong>, as which
+          they pass.
         </>
       );
     case "order-from-text":

@@ -10,10 +10,11 @@ use crate::library::VectorLayout;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
-use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::mend::written::rotation_text;
-use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
-use crate::text::{ParsedRotation, RotationText, RowMarks};
+use crate::text::{
+    DeclaredFormat, FORMATS, PLAIN, ParsedRotation, Record, RecordRotation, RotationText, RowMarks,
+    What, record,
+};
 use nalgebra::Vector3;
 
 /// Two descriptions of one rotation are no farther apart, in degrees: angles are often printed with no

@@ -109,14 +109,14 @@ pub(crate) mod mend;
 
 // What programs print, as data.
 #[cfg(feature = "whole")]
-pub(crate) mod formats;
+mod formats;
 
 // Tokens to a rotation: which description they are.
 mod readers;
 
 // Whole blocks that programs print.
 #[cfg(feature = "whole")]
-pub(crate) mod record;
+mod record;
 
 // Words and names that are known.
 mod vocabulary;
@@ -129,7 +129,11 @@ pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::{list, quaternion};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
 use crate::text::vocabulary::Telling;
 use nalgebra::Vector3;
 

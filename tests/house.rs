@@ -53,6 +53,17 @@ const ROOMS: &[(&str, &[&str])] = &[
         &["convention", "problem", "text/grammar", "text/vocabulary"],
     ),
     (
+        "text/record",
+        &[
+            "decimal",
+            "convention",
+            "problem",
+            "text/vocabulary",
+            "text/description",
+        ],
+    ),
+    ("text/formats", &["convention", "text/record"]),
+    (
         "text",
         &[
             "character",
@@ -62,6 +73,8 @@ const ROOMS: &[(&str, &[&str])] = &[
             "text/grammar",
             "text/vocabulary",
             "text/description",
+            "text/record",
+            "text/formats",
         ],
     ),
     (

@@ -95,7 +95,7 @@ impl Attitude {
         let plain = Self::plain(text, declared);
         #[cfg(feature = "whole")]
         if is_record(text, &plain)
-            && let Some(found) = of_record(text, declared, plain.as_ref().ok())
+            && let Some(found) = of_record(text, declared, &plain)
         {
             return found;
         }

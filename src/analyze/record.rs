@@ -11,33 +11,72 @@ use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
-use crate::problem::{Span, Wanted, shorten};
-use crate::text::description::told::Told;
-use crate::text::formats::{FORMATS, PLAIN};
+use crate::problem::{ProblemCode, Span, shorten};
 use crate::text::mend::written::rotation_text;
-use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
-use crate::text::vocabulary::labels::{LabelWord, meanings_of, says_nothing};
-use crate::text::{ParsedRotation, RotationText, RowMarks};
-use nalgebra::Vector3;
+use crate::text::{
+    DeclaredFormat, FORMATS, PLAIN, ParsedRotation, Record, RecordRotation, RotationText, RowMarks,
+    Told, What, record, says_nothing,
+};
+use nalgebra::{Matrix3, Vector3};
 
 /// Two descriptions of one rotation are no farther apart, in degrees: angles are often printed with no
 /// more than whole degrees, and matrices with two decimals.
 const SAME_WITHIN_DEG: f64 = 0.75;
 
-/// The attitude that is found in a text, or why it is not known which; `None` where none is found.
-///
-/// `plain` is what the text is read as by itself, where it is.
+/// The attitude that is found in a text, or why it is not known which; `None` where none is found, or where
+/// what the text is read as by itself, `plain`, stands.
 pub(crate) fn of_record(
     text: &str,
     declared: Declared,
-    plain: Option<&Attitude>,
+    plain: &Result<Attitude, Fault>,
 ) -> Option<Result<Attitude, Fault>> {
     let of_text = DeclaredFormat {
         order: declared.convention.order,
         library: declared.library.map(|library| library.id),
     };
     let record = record(text, of_text, FORMATS, PLAIN);
-    let mut read: Vec<(&RecordRotation, Attitude)> = Vec::new();
+    match plain {
+        Ok(plain) => beside_plain(text, declared, &record, plain),
+        Err(fault) if may_hold_more(text, &record, fault) => of_block(text, declared, &record),
+        Err(_) => None,
+    }
+}
+
+/// Whether a problem of a text is that it holds more than one rotation and its numbers: words around them,
+/// other quantities, another notation. A sign in doubt, a sequence that contradicts or a number that is none
+/// stays a problem of the text itself.
+fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
+    let has_words = text.contains(char::is_alphabetic);
+    match fault.code {
+        ProblemCode::WrongCount => true,
+        ProblemCode::UnknownWord
+        | ProblemCode::UnknownComponent
+        | ProblemCode::Unexpected
+        | ProblemCode::UnexpectedCharacter
+        | ProblemCode::UnexpectedEnd
+        | ProblemCode::UnclosedBracket
+        | ProblemCode::UnmatchedBracket
+        | ProblemCode::EmptyText => has_words || record.quantities > 1,
+        ProblemCode::MixedNames
+        | ProblemCode::MissingComponent
+        | ProblemCode::DuplicateComponent
+        | ProblemCode::UnknownSequence
+        | ProblemCode::NotANumber
+        | ProblemCode::Infinite => record.quantities > 1,
+        _ => false,
+    }
+}
+
+/// A rotation of a record, and the attitude that it is.
+type Read<'r> = (&'r RecordRotation, Attitude);
+
+/// The rotations of a record that can be meant, or the first problem of one.
+fn read_all<'r>(
+    text: &str,
+    declared: Declared,
+    record: &'r Record,
+) -> (Vec<Read<'r>>, Option<Fault>) {
+    let mut read = Vec::new();
     let mut fault = None;
     for found in record.rotations.iter().filter(|found| !found.is_derived) {
         let parsed = RotationText {
@@ -54,62 +93,36 @@ pub(crate) fn of_record(
             Err(problem) => fault = fault.or(Some(problem)),
         }
     }
-    let has_head = record.head.is_some();
-    if read.is_empty() && plain.is_some() && has_head && record.rotations.is_empty() {
-        return Some(Err(Fault::no_rotation_in_row(record.rows[0])));
-    }
+    (read, fault)
+}
+
+/// The attitude of a text that is read only as a block.
+fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<Attitude, Fault>> {
+    let (mut read, fault) = read_all(text, declared, record);
     if read.is_empty() {
-        return match (fault, derived) {
-            (Some(fault), _) => Some(Err(fault)),
-            (None, Some(derived)) if plain.is_none() => Some(Err(derived_rotation(derived))),
-            _ => None,
-        };
+        return fault.map(Err);
     }
-    if plain.is_none() && record.rows.len() > 1 {
-        return Some(Err(several_rows(&record, text)));
+    if record.rows.len() > 1 {
+        return Some(Err(several_rows(record, text)));
     }
-    let differs =
-        |one: &Attitude, other: &Attitude| one.rotation.angle_to_rad(&other.rotation).to_degrees();
-    let chosen = match plain {
-        Some(plain) => read
-            .iter()
-            .position(|(_, attitude)| differs(plain, attitude) < SAME_WITHIN_DEG)?,
-        None => preferred(&read),
-    };
-    let others: Vec<(&RecordRotation, f64)> = read
-        .iter()
-        .enumerate()
-        .filter(|(at, _)| *at != chosen)
-        .map(|(_, (found, other))| (*found, differs(&read[chosen].1, other)))
-        .collect();
+    let chosen = preferred(&read);
     let (found, attitude) = read.swap_remove(chosen);
-    let disagree = others.iter().any(|(_, differs)| *differs > SAME_WITHIN_DEG);
+    let others = others(&read, &attitude);
     let is_kind = |other: &RecordRotation| {
         std::mem::discriminant(&other.rotation) == std::mem::discriminant(&found.rotation)
     };
     // Of two quaternions one is another rotation; angles beside a quaternion should be the same one.
-    if disagree
-        && plain.is_none()
-        && others
-            .iter()
-            .any(|(other, differs)| *differs > SAME_WITHIN_DEG && is_kind(other))
-    {
-        return Some(Err(several_rotations(&record, text)));
+    let has_another = |(other, differs): &(&RecordRotation, f64)| {
+        *differs > SAME_WITHIN_DEG && is_kind(other) && !is_identity(other)
+    };
+    if others.iter().any(has_another) {
+        return Some(Err(several_rotations(record, text)));
     }
-    let mut told = Vec::new();
-    for (other, differs_by_deg) in others {
-        let description = OtherDescription {
-            label: named(&other.label),
-            text: text[other.span.start..other.span.end].to_owned(),
-            differs_by_deg: plain_number(differs_by_deg),
-        };
-        told.push(if differs_by_deg > SAME_WITHIN_DEG {
-            Fact::DescriptionsDisagree(description)
-        } else {
-            Fact::SecondDescription(description)
-        });
-    }
-    told.extend(found_in_text(&record, found, &attitude, text));
+    let mut told: Vec<Fact> = others
+        .into_iter()
+        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
+        .collect();
+    told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) {
         let label = shorten(&found.label, LONGEST_LABEL);
         told.push(Fact::RotationAssumed(RotationAssumed { label }));
@@ -119,12 +132,79 @@ pub(crate) fn of_record(
             format: format.name.to_owned(),
         }));
     }
-    let attitude = match plain {
-        Some(plain) => plain.clone(),
-        None => attitude,
+    Some(Ok(telling(attitude, told)))
+}
+
+/// What else stands in a text that is read by itself; `None` where nothing does.
+fn beside_plain(
+    text: &str,
+    declared: Declared,
+    record: &Record,
+    plain: &Attitude,
+) -> Option<Result<Attitude, Fault>> {
+    if let (Some(row), true) = (record.rows.first(), record.rotations.is_empty()) {
+        return Some(Err(Fault::no_rotation_in_row(*row)));
+    }
+    let (mut read, _) = read_all(text, declared, record);
+    // The declared library's own names may mean other angles.
+    let own = declared.library.and_then(|library| {
+        let is_own =
+            |(found, _): &Read<'_>| found.format.is_some_and(|format| format.id == library.id);
+        read.iter().position(is_own)
+    });
+    let same = read
+        .iter()
+        .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
+    let (found, attitude) = read.swap_remove(own.or(same)?);
+    let attitude = if own.is_some() {
+        attitude
+    } else {
+        plain.clone()
     };
+    let mut told: Vec<Fact> = others(&read, &attitude)
+        .into_iter()
+        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
+        .collect();
+    told.extend(found_in_text(record, found, &attitude, text));
+    (!told.is_empty()).then(|| Ok(telling(attitude, told)))
+}
+
+fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
     let told = attitude.told.iter().cloned().chain(told).collect();
-    Some(Ok(Attitude { told, ..attitude }))
+    Attitude { told, ..attitude }
+}
+
+fn differs_by_deg(one: &Attitude, other: &Attitude) -> f64 {
+    one.rotation.angle_to_rad(&other.rotation).to_degrees()
+}
+
+fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, f64)> {
+    read.iter()
+        .map(|(found, other)| (*found, differs_by_deg(chosen, other)))
+        .collect()
+}
+
+/// That the text holds the rotation a second time, or another one.
+fn description(text: &str, other: &RecordRotation, differs_by_deg: f64) -> Fact {
+    let description = OtherDescription {
+        label: named(&other.label),
+        text: text[other.span.start..other.span.end].to_owned(),
+        differs_by_deg: plain_number(differs_by_deg),
+    };
+    if differs_by_deg > SAME_WITHIN_DEG {
+        Fact::DescriptionsDisagree(description)
+    } else {
+        Fact::SecondDescription(description)
+    }
+}
+
+/// No turn, which stands for what was never set.
+fn is_identity(found: &RecordRotation) -> bool {
+    match &found.rotation {
+        ParsedRotation::Quaternion(parsed) => parsed.quaternion.imag().amax() == 0.0,
+        ParsedRotation::Matrix(matrix) => *matrix == Matrix3::identity(),
+        _ => false,
+    }
 }
 
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
@@ -156,26 +236,17 @@ fn is_assumed(found: &RecordRotation) -> bool {
     found.format.is_none() && is_any && !found.label.is_empty() && says_nothing(&found.label)
 }
 
-/// That a rotation is made of another one, or is computed.
-fn derived_rotation(derived: &RecordRotation) -> Fault {
-    let made = meanings_of(&derived.label)
-        .into_iter()
-        .find(|word| matches!(word, LabelWord::Derived(_)));
-    let what = made.map_or("computed of other numbers", LabelWord::in_words);
-    Fault::other_label(derived.span, &derived.label, what, Wanted::Quaternion)
-}
-
 fn named(label: &str) -> Option<String> {
     (!label.is_empty()).then(|| label.to_owned())
 }
 
-/// A quaternion or a matrix before angles, whose sequence may only be the usual one; the first of those.
-fn preferred(read: &[(&RecordRotation, Attitude)]) -> usize {
-    let is_certain =
-        |attitude: &Attitude| matches!(attitude.form, Form::Quaternion | Form::Matrix(_));
-    read.iter()
-        .position(|(_, attitude)| is_certain(attitude))
-        .unwrap_or(0)
+/// Which of several descriptions is read: a quaternion or a matrix before angles, whose sequence may only be
+/// the usual one, and what turns before what does not; the first of those.
+fn preferred(read: &[Read<'_>]) -> usize {
+    let is_certain = |(found, attitude): &Read<'_>| {
+        matches!(attitude.form, Form::Quaternion | Form::Matrix(_)) && !is_identity(found)
+    };
+    read.iter().position(is_certain).unwrap_or(0)
 }
 
 /// What stands around the rotation; `None` where the numbers are all that there is.

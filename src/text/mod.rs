@@ -109,17 +109,17 @@ pub(crate) mod mend;
 
 // What programs print, as data.
 #[cfg(feature = "whole")]
-pub(crate) mod formats;
+mod formats;
 
 // Tokens to a rotation: which description they are.
 mod readers;
 
 // Whole blocks that programs print.
 #[cfg(feature = "whole")]
-pub(crate) mod record;
+mod record;
 
 // Words and names that are known.
-pub(crate) mod vocabulary;
+mod vocabulary;
 
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
@@ -128,10 +128,17 @@ pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::description::told::{Layout, Told};
+use crate::text::description::told::Layout;
+pub(crate) use crate::text::description::told::Told;
 use crate::text::description::{list, quaternion};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
 use crate::text::vocabulary::Telling;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::vocabulary::labels::says_nothing;
 use nalgebra::Vector3;
 
 /// The rotation that a text holds, in whichever description it is written.

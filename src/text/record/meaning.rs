@@ -3,7 +3,7 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
-use crate::text::record::group::words_of;
+use crate::text::record::names::words_of;
 use crate::text::vocabulary::constructors::{Call, call, order_in_name};
 use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 

@@ -8,8 +8,14 @@
 // What a program prints, as data.
 pub(crate) mod format;
 
+// What stands apart and belongs together.
+mod apart;
+
 // Quantities to what they are.
 mod find;
+
+// What is understood of a quantity.
+mod found;
 
 // The tree to quantities.
 mod group;
@@ -17,11 +23,29 @@ mod group;
 // What names say.
 mod meaning;
 
+// Single numbers by name.
+mod named;
+
+// Names to their words.
+mod names;
+
+// What numbers are that stand together.
+mod of_group;
+
+// What single numbers are by their names.
+mod of_named;
+
 // Tokens to a tree.
 mod outline;
 
 // Numbers to a rotation, as parts say.
 mod parts;
+
+// Runs of numbers, and single numbers by name.
+mod quantity;
+
+// Numbers that are rows of one matrix by name.
+mod rows;
 
 // Any text to tokens.
 mod scan;
@@ -34,11 +58,14 @@ use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
-use crate::text::record::find::{Context, Found, found};
+use crate::text::record::find::found;
 use crate::text::record::format::{Field, Format};
-use crate::text::record::group::{Quantities, Value, identifiers_of, words_of};
+use crate::text::record::found::{Context, Found};
+use crate::text::record::group::Quantities;
+use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
+use crate::text::record::quantity::Value;
 use crate::text::record::scan::scan;
 use crate::text::record::table::Table;
 use crate::text::vocabulary::constructors::order_in_name;
@@ -80,6 +107,8 @@ pub(crate) struct Beside {
 pub(crate) struct Record {
     pub(crate) rotations: Vec<RecordRotation>,
     pub(crate) beside: Vec<Beside>,
+    /// How many quantities stand in the text: numbers that stand together, or that have names together.
+    pub(crate) quantities: usize,
     /// The rows of a file where there are several.
     pub(crate) rows: Vec<Span>,
     /// The names above them.
@@ -152,6 +181,7 @@ pub(crate) fn record(
     Record {
         rotations,
         beside,
+        quantities: quantities.groups.len() + quantities.named.len(),
         rows,
         head,
     }

@@ -2,7 +2,8 @@
 
 use crate::decimal::nearest_double;
 use crate::problem::Span;
-use crate::text::record::group::{Group, is_usual_name};
+use crate::text::record::names::is_usual_name;
+use crate::text::record::quantity::Group;
 
 /// A row of numbers and the names above them.
 pub(crate) struct Table<'t> {

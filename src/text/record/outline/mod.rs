@@ -1,5 +1,11 @@
 //! Tokens to a tree of what stands inside what: brackets, elements, lines below a heading.
 
+// What brackets and elements hold.
+mod brackets;
+
+// Headings and what is below them.
+mod lines;
+
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
 use crate::text::record::scan::{Mark, Token};
@@ -289,111 +295,6 @@ impl<'t> Builder<'t> {
         self.value(key, value);
     }
 
-    fn open(&mut self, token: &Token<'t>, opened: Opened) {
-        let key = if opened == Opened::Element {
-            self.flush();
-            token.text.trim_start_matches('<')
-        } else {
-            self.key()
-        };
-        let mut member = scope(key, "", token.span, self.row);
-        member.is_bracketed = opened == Opened::Bracket;
-        member.is_computed = std::mem::take(&mut self.is_computed);
-        member.follows_bar = std::mem::take(&mut self.follows_bar);
-        self.open.push(Open { opened, member });
-    }
-
-    fn close(&mut self) {
-        self.flush();
-        if self.open.len() > 1
-            && let Some(Open { mut member, .. }) = self.open.pop()
-        {
-            let last = member.members.last().map_or(member.span, |last| last.span);
-            member.span = member.span.to(last);
-            // Its own row: what follows in this line is beside it.
-            self.inside().members.push(member);
-        }
-    }
-
-    fn close_bracket(&mut self) {
-        let Some(at) = self
-            .open
-            .iter()
-            .rposition(|open| open.opened == Opened::Bracket)
-        else {
-            self.flush();
-            return;
-        };
-        while self.open.len() > at + 1 {
-            self.close();
-        }
-        // A word in brackets, `(xyzw)`, `[deg]`, belongs to the name before it.
-        if let Some(name) = self.remark() {
-            self.open.pop();
-            self.pending = name;
-            return;
-        }
-        let key_is_done = self.is_computed;
-        self.close();
-        self.is_computed = key_is_done;
-    }
-
-    /// The words of a bracket that holds nothing else, with those before it.
-    fn remark(&mut self) -> Option<Pending<'t>> {
-        let open = self.open.last()?;
-        let is_words = open
-            .member
-            .members
-            .iter()
-            .all(|member| member.kind == Kind::Word && member.key.is_empty());
-        if !is_words || open.opened != Opened::Bracket {
-            return None;
-        }
-        let mut words: Vec<Token<'t>> = open
-            .member
-            .members
-            .iter()
-            .map(|member| Token {
-                mark: Mark::Word,
-                text: member.text,
-                span: member.span,
-            })
-            .collect();
-        words.append(&mut self.pending.words);
-        self.pending.labels.clear();
-        // The time of a log says nothing of what follows.
-        words.retain(|word| !word.text.starts_with(|first: char| first.is_ascii_digit()));
-        let open = self.open.last()?;
-        let key = open.member.key;
-        let before = Token {
-            mark: Mark::Word,
-            text: key,
-            span: self.span_of(key),
-        };
-        Some(Pending {
-            words: (!key.is_empty())
-                .then_some(before)
-                .into_iter()
-                .chain(words)
-                .collect(),
-            labels: Vec::new(),
-        })
-    }
-
-    fn close_element(&mut self) {
-        let Some(at) = self
-            .open
-            .iter()
-            .rposition(|open| open.opened == Opened::Element)
-        else {
-            self.flush();
-            return;
-        };
-        while self.open.len() > at {
-            self.close();
-        }
-    }
-
     fn factor(&mut self) {
         let members = &mut self.inside().members;
         if let Some(Member {
@@ -420,65 +321,6 @@ impl<'t> Builder<'t> {
         }
     }
 
-    /// A new line: a heading before it holds the lines that are inside, others end.
-    fn line(&mut self, indent: usize, rest: &[Token<'t>]) {
-        self.row += 1;
-        let first = rest.first().map(|token| token.mark);
-        let is_empty = matches!(first, None | Some(Mark::Line(_)));
-        let in_bracket = matches!(
-            self.open.last().map(|open| open.opened),
-            Some(Opened::Bracket)
-        );
-        if is_empty {
-            return;
-        }
-        if !in_bracket && let Some(start) = self.prompt.take() {
-            self.flush();
-            let length = self.text[start..].find('\n').unwrap_or(0);
-            let key = self.text[start..start + length].trim();
-            let member = scope(key, "", self.span_of(key), self.row);
-            self.open.push(Open {
-                opened: Opened::Heading {
-                    indent: 0,
-                    takes_same: true,
-                },
-                member,
-            });
-            return;
-        }
-        if in_bracket {
-            if !self.pending.is_label() {
-                self.flush();
-            }
-            return;
-        }
-        let starts_numbers = matches!(first, Some(Mark::Number(_) | Mark::Open));
-        let is_heading = is_heading(rest);
-        let announces = !self.pending.words.is_empty();
-        if announces && (self.pending.is_label() || starts_numbers) {
-            let key = self.key();
-            let own = self.indent_of(key);
-            let takes_same = indent <= own;
-            self.leave(own, true);
-            let member = scope(key, "", self.span_of(key), self.row);
-            self.open.push(Open {
-                opened: Opened::Heading {
-                    indent: own,
-                    takes_same,
-                },
-                member,
-            });
-            if takes_same && is_heading && indent <= own {
-                self.close();
-            }
-        } else {
-            self.flush();
-        }
-        if !starts_numbers {
-            self.leave(indent, is_heading);
-        }
-    }
-
     /// The place of a piece of the text; of nothing, the beginning.
     fn span_of(&self, key: &str) -> Span {
         if key.is_empty() {
@@ -487,51 +329,4 @@ impl<'t> Builder<'t> {
         let start = key.as_ptr() as usize - self.text.as_ptr() as usize;
         Span::from(start..start + key.len())
     }
-
-    /// How far the line of a key is indented.
-    fn indent_of(&self, key: &str) -> usize {
-        let start = self.span_of(key).start;
-        let line = self.text[..start].rfind('\n').map_or(0, |at| at + 1);
-        let before = &self.text[line..start];
-        before.len() - before.trim_start_matches([' ', '\t', '-']).len()
-    }
-
-    /// Closes all headings.
-    fn leave_all(&mut self) {
-        self.flush();
-        while matches!(
-            self.open.last().map(|open| open.opened),
-            Some(Opened::Heading { .. })
-        ) {
-            self.close();
-        }
-    }
-
-    /// Closes the headings that do not hold a line so far indented.
-    fn leave(&mut self, line: usize, is_heading: bool) {
-        while let Some(Open {
-            opened: Opened::Heading { indent, takes_same },
-            ..
-        }) = self.open.last()
-        {
-            let holds = line > *indent || (line == *indent && *takes_same && !is_heading);
-            if holds {
-                break;
-            }
-            self.close();
-        }
-    }
-}
-
-/// Whether a line is a name and a label and no more.
-fn is_heading(tokens: &[Token<'_>]) -> bool {
-    let line: Vec<Mark> = tokens
-        .iter()
-        .map(|token| token.mark)
-        .take_while(|mark| !matches!(mark, Mark::Line(_)))
-        .collect();
-    let words = line
-        .iter()
-        .all(|mark| matches!(mark, Mark::Word | Mark::Label));
-    words && line.last() == Some(&Mark::Label)
 }

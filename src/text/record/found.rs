@@ -1,0 +1,102 @@
+//! What is understood of a quantity, and what a text says for all of them.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::order::{ComponentOrder, OrderSource};
+use crate::problem::Span;
+use crate::text::record::format::{Field, Format};
+use crate::text::record::meaning::Meaning;
+use crate::text::record::names::{identifiers_of, words_of};
+use crate::text::record::parts::{Made, Said};
+
+/// A quantity that was understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
+    pub(crate) made: Made,
+    /// The name that stands before it, as written.
+    pub(crate) label: String,
+    pub(crate) span: Span,
+    /// Whether its name says that it was made of a rotation: an inverse, a derivative.
+    pub(crate) is_derived: bool,
+    /// Whether a sign that computes stands at it.
+    pub(crate) is_computed: bool,
+    /// The format that said it; one that no word marks is only assumed.
+    pub(crate) format: Option<&'static Format>,
+    /// What divides the rows of nine numbers.
+    pub(crate) has_rows: bool,
+}
+
+/// What a text says for all its quantities.
+pub(crate) struct Context {
+    pub(crate) formats: Vec<&'static Format>,
+    pub(crate) declared: ComponentOrder,
+    /// The order that the text tells once for all.
+    pub(crate) order: Option<ComponentOrder>,
+    pub(crate) unit: Option<AngleUnit>,
+    /// The letters of a sequence: `_order: 'XYZ'`.
+    pub(crate) letters: Option<String>,
+}
+
+impl Context {
+    /// The order of four numbers whose names say this.
+    pub(crate) fn order(&self, meaning: &Meaning) -> (ComponentOrder, OrderSource) {
+        let of_formats = self.ordering().and_then(|format| format.order);
+        match (meaning.order.or(self.order), of_formats) {
+            (Some(order), _) => (order, OrderSource::Label),
+            (None, Some(order)) => (order, OrderSource::Format),
+            (None, None) => (self.declared, OrderSource::Declared),
+        }
+    }
+
+    /// The format that says the order of four numbers.
+    pub(crate) fn ordering(&self) -> Option<&'static Format> {
+        let mut formats = self.formats.iter().copied();
+        formats.find(|format| format.order.is_some())
+    }
+
+    pub(crate) fn said(&self, meaning: &Meaning) -> Said<'_> {
+        Said {
+            order: self.order(meaning),
+            unit: meaning.unit.or(self.unit),
+            sequence: meaning.sequence,
+            letters: self.letters.as_deref(),
+        }
+    }
+}
+
+/// A field, and the format of which it is.
+pub(crate) type Asked = (&'static Field, Option<&'static Format>);
+
+pub(crate) fn label_of(path: &[&str]) -> String {
+    path.iter()
+        .rev()
+        .find(|key| !key.is_empty())
+        .map_or("", |key| key)
+        .to_owned()
+}
+
+/// The innermost name that says more than that it holds numbers.
+pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
+    const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
+                           np numpy tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
+    path.iter().rev().copied().find(|key| {
+        let mut words = identifiers_of(key);
+        !key.is_empty()
+            && !words.all(|word| HOLDERS.split_whitespace().any(|holder| holder == word))
+    })
+}
+
+/// Whether one of these names stands next over numbers; a letter alone only as it is.
+pub(crate) fn stands_under(path: &[&str], names: &str) -> bool {
+    let Some(key) = next_key(path) else {
+        return false;
+    };
+    names.split('|').any(|name| {
+        let lower = name.to_lowercase();
+        let parts = words_of(name);
+        identifiers_of(key).any(|own| own == lower)
+            || (name.len() > 1
+                && words_of(key)
+                    .windows(parts.len().max(1))
+                    .any(|own| own == parts))
+    })
+}

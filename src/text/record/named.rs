@@ -1,0 +1,68 @@
+//! Single numbers by name, those together that stand together.
+
+use crate::text::record::names::name_and_stem;
+use crate::text::record::quantity::{Group, Named, NamedNumber, is_named, own_key};
+
+/// The single numbers by name, those together that stand together.
+pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
+    let mut found: Vec<Named<'t>> = Vec::new();
+    for group in groups {
+        if group.numbers.len() != 1 || !is_named(group) {
+            continue;
+        }
+        let (name, stem) = name_and_stem(own_key(group));
+        let member = NamedNumber {
+            name,
+            value: group.numbers[0],
+            span: group.span,
+            is_computed: group.is_computed,
+            unit: group.unit,
+        };
+        let path = &group.path[..group.path.len() - 1];
+        // Of several that are told in turn, `DesRoll: 1, Roll: 2, DesPitch: …`, that with the same stem.
+        let near = found.len().saturating_sub(NEAR);
+        let last = found.len().saturating_sub(1);
+        let own = (near..found.len()).rev().find(|&at| {
+            found[at].scope == group.scope && belongs(&found[at], &stem, &member, at == last)
+        });
+        if let Some(at) = own {
+            found[at].others_have_stem |= !stem.is_empty();
+            found[at].members.push(member);
+        } else {
+            found.push(Named {
+                path: path.to_vec(),
+                stem,
+                members: vec![member],
+                scope: group.scope,
+                others_have_stem: false,
+            });
+        }
+    }
+    found
+}
+
+/// How many names a name may stand behind those that it belongs to.
+const NEAR: usize = 8;
+
+/// `Position: X 1 Y 2`: only the first is told; `Acc X: 1, Acc Y: 2, q0: 0.5`: the third is not of it.
+fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -> bool {
+    let is_new = named.members.iter().all(|own| own.name != member.name);
+    let follows = || {
+        let last = named.members.last().map_or("", |last| &last.name);
+        FOLLOWING.iter().any(|names| {
+            let names: Vec<&str> = names.split(' ').collect();
+            names.contains(&last) && names.contains(&&*member.name)
+        })
+    };
+    let tells_first_only = stem.is_empty() && !named.others_have_stem && is_last && follows();
+    is_new && (stem == named.stem || tells_first_only)
+}
+
+/// Names that are told one after the other.
+const FOLLOWING: [&str; 5] = [
+    "w x y z",
+    "roll pitch yaw heading bank",
+    "a b c",
+    "rx ry rz",
+    "i j k real",
+];

@@ -1,0 +1,93 @@
+//! Names to the words in them.
+
+/// The words of a name, in small letters: `m_LocalRotation` is m, local, rotation.
+pub(crate) fn words_of(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let mut before = ' ';
+    let mut characters = name.chars().peekable();
+    while let Some(mark) = characters.next() {
+        let next_is_small = characters.peek().is_some_and(|next| next.is_lowercase());
+        let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
+        let begins = !before.is_alphanumeric()
+            || (before.is_lowercase() && mark.is_uppercase())
+            || (before.is_uppercase() && mark.is_uppercase() && next_is_small)
+            || (before.is_ascii_digit()
+                && mark.is_alphabetic()
+                && before != ' '
+                && mark.is_uppercase());
+        if is_part {
+            if begins || words.is_empty() {
+                words.push(String::new());
+            }
+            if let Some(word) = words.last_mut() {
+                word.extend(mark.to_lowercase());
+            }
+        }
+        before = mark;
+    }
+    words
+}
+
+/// The names in a key as they are written, in small letters: `CFrame.new` is cframe, new.
+pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
+    key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
+        .filter(|name| !name.is_empty())
+        .map(str::to_lowercase)
+}
+
+/// The name of a single number, and what stands before it: `pose.orientation.x` is x of pose, orientation.
+pub(crate) fn name_and_stem(key: &str) -> (String, String) {
+    let mut words = words_of(key);
+    if words.len() > 1 && words.last().is_some_and(|last| is_addition(last)) {
+        words.pop();
+    }
+    // `a yaw of 12°`
+    while words.len() > 1 && words.last().is_some_and(|last| is_filler(last)) {
+        words.pop();
+    }
+    let mut name = words.pop().unwrap_or_default();
+    words.retain(|word| !is_filler(word));
+    // `q[0]` is q0, `matrix[1][2]` and `M12` are m12.
+    let is_place =
+        |word: &str| word.len() == 1 && word.starts_with(|first: char| first.is_ascii_digit());
+    if is_place(&name) && words.last().is_some_and(|last| is_place(last)) {
+        let row = words.pop().unwrap_or_default();
+        name = format!("m{row}{name}");
+    } else if name.len() == 2 && name.bytes().all(|byte| byte.is_ascii_digit()) {
+        name.insert(0, 'm');
+    } else if is_place(&name)
+        && let Some(of) = words.pop()
+    {
+        name.insert_str(0, &of);
+    }
+    // `q_w`, `quat.w`, `qW`: the name says whose component it is.
+    if name.len() == 1 && "wxyz".contains(&name) && words.last().is_some_and(|last| last == "q") {
+        words.pop();
+        name.insert(0, 'q');
+    }
+    (name, words.join(" "))
+}
+
+fn is_filler(word: &str) -> bool {
+    [
+        "of", "is", "was", "a", "an", "the", "and", "with", "by", "about", "in",
+    ]
+    .contains(&word)
+}
+
+/// What stands behind a name and says its unit or its type.
+fn is_addition(word: &str) -> bool {
+    [
+        "val", "value", "deg", "degrees", "degree", "rad", "radians", "radian", "m", "mm", "°",
+    ]
+    .contains(&word)
+}
+
+/// Whether a column of this name is a component, an angle or a coordinate.
+pub(crate) fn is_usual_name(cell: &str) -> bool {
+    const NAMES: &str = "w x y z qw qx qy qz q0 q1 q2 q3 q4 qs qc qr qi qj qk tx ty tz px py pz roll pitch yaw heading \
+                         rx ry rz a b c o t phi theta psi phi1 phi2 omega kappa quatw quati quatj quatk \
+                         xposition yposition zposition xrotation yrotation zrotation orient1 orient2 orient3 orient4";
+    let (name, _) = name_and_stem(cell);
+    NAMES.split_whitespace().any(|known| known == name)
+}

@@ -1,0 +1,169 @@
+//! What numbers are that stand together.
+
+use crate::convention::angle::{AngleUnit, UnitSource};
+use crate::convention::order::OrderSource;
+use crate::text::description::ParsedRotation;
+use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::record::format::{Angles, Field, Part, Unit};
+use crate::text::record::found::{Asked, Context, Found, label_of, next_key, stands_under};
+use crate::text::record::group::Quantities;
+use crate::text::record::meaning::{Meaning, Role};
+use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
+use crate::text::record::quantity::Group;
+
+pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
+    let meaning = Meaning::of(&group.path);
+    let said = Said {
+        unit: group.unit.or(meaning.unit).or(context.unit),
+        ..context.said(&meaning)
+    };
+    let of_fields = fields.iter().find_map(|(field, format)| {
+        let (is_it, parts) = match field {
+            Field::Under(names, parts) => (stands_under(&group.path, names), parts),
+            Field::Any(parts) => (true, parts),
+            Field::Row(parts) => (is_bare(group), parts),
+            Field::CommaRow(parts) => (is_bare(group) && group.has_commas, parts),
+            Field::Named(..) | Field::NamedUnder(..) | Field::OnlyNamed(..) | Field::Groups(_) => {
+                return None;
+            }
+        };
+        let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
+        Some((made, *format))
+    });
+    let (made, format) = of_fields.unwrap_or_else(|| {
+        let made = by_name(group, &meaning, said);
+        let is_ordered = made.iter().any(|made| {
+            matches!(
+                made,
+                Made::Rotation(ParsedRotation::Quaternion(ParsedQuaternion {
+                    order_source: OrderSource::Format,
+                    ..
+                }))
+            )
+        });
+        (made, is_ordered.then(|| context.ordering()).flatten())
+    });
+    made.into_iter()
+        .map(|made| Found {
+            made,
+            label: label_of(&group.path),
+            span: group.span,
+            is_derived: meaning.role == Some(Role::Derived),
+            is_computed: group.is_computed,
+            format,
+            has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
+        })
+        .collect()
+}
+
+/// Whether numbers begin a line, with no name before them in it.
+fn is_bare(group: &Group<'_>) -> bool {
+    group.is_line && group.path.last().is_none_or(|key| key.is_empty())
+}
+
+/// The quantities of formats that are told by their order alone, as `1,2,3|10,20,30|1,1,1`.
+pub(crate) fn groups_together(
+    quantities: &Quantities<'_>,
+    context: &Context,
+    fields: &[Asked],
+) -> Vec<Found> {
+    for (field, format) in fields {
+        let Field::Groups(parts) = field else {
+            continue;
+        };
+        for groups in quantities.groups.windows(parts.len()) {
+            let are_bare = groups[1..]
+                .iter()
+                .all(|group| next_key(&group.path).is_none());
+            let fits = groups
+                .iter()
+                .zip(*parts)
+                .all(|(group, part)| group.numbers.len() == part.count());
+            if !are_bare || !fits {
+                continue;
+            }
+            return groups
+                .iter()
+                .zip(*parts)
+                .filter_map(|(group, part)| {
+                    let said = context.said(&Meaning::of(&group.path));
+                    let made = made(&[*part], &group.numbers, said)?;
+                    Some(Found {
+                        made: made.into_iter().next()?,
+                        label: label_of(&group.path),
+                        span: group.span,
+                        is_derived: false,
+                        is_computed: group.is_computed,
+                        format: *format,
+                        has_rows: true,
+                    })
+                })
+                .collect();
+        }
+    }
+    Vec::new()
+}
+
+/// What numbers are by their name and count.
+fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
+    let numbers = &group.numbers[..];
+    let role = meaning.role;
+    let parts = |parts: &[Part]| made(parts, numbers, said);
+    let none = vec![Made::Nothing];
+    if matches!(role, Some(Role::Other | Role::Time)) {
+        return none;
+    }
+    let three = <[f64; 3]>::try_from(numbers).ok();
+    match (numbers.len(), role) {
+        (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
+        (3, Some(Role::Scale)) => parts(&[Part::Scale]).unwrap_or(none),
+        (3, Some(Role::Euler | Role::Rotation))
+            if said.sequence.is_some() || said.letters.is_some() =>
+        {
+            let angles = Angles::new("ZYX", Unit::BySize);
+            parts(&[Part::Euler(angles)]).unwrap_or(none)
+        }
+        (3, Some(Role::RotationVector)) => {
+            let unit = said
+                .unit
+                .map_or(UnitSource::Assumed(AngleUnit::Radians), UnitSource::Written);
+            three.map_or(none, |numbers| {
+                vec![Made::Rotation(rotation_vector(numbers, unit))]
+            })
+        }
+        (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
+        (
+            4,
+            None
+            | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived | Role::Matrix),
+        ) => {
+            let rotation = quaternion(numbers, said.order);
+            rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
+        }
+        (7, _) => parts(&[Part::Position, Part::Quaternion(None)])
+            .or_else(|| parts(&[Part::Quaternion(None), Part::Position]))
+            .unwrap_or(none),
+        (8, _) => parts(&[Part::Time, Part::Position, Part::Quaternion(None)]).unwrap_or(none),
+        (9, _) if meaning.by_columns => parts(&[Part::Columns]).unwrap_or(none),
+        (9, _) => parts(&[Part::Rows]).unwrap_or(none),
+        (12, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(12)]).unwrap_or(none),
+        (12, _) => only([
+            parts(&[Part::HomogeneousRows(12)]),
+            parts(&[Part::Rows, Part::Position]),
+            parts(&[Part::Position, Part::Rows]),
+        ])
+        .unwrap_or(none),
+        (16, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(16)]).unwrap_or(none),
+        (16, _) => parts(&[Part::HomogeneousRows(16)])
+            .or_else(|| parts(&[Part::HomogeneousColumns(16)]))
+            .unwrap_or(none),
+        _ => none,
+    }
+}
+
+/// The only reading that there is.
+fn only<const COUNT: usize>(readings: [Option<Vec<Made>>; COUNT]) -> Option<Vec<Made>> {
+    let mut found = readings.into_iter().flatten();
+    let first = found.next()?;
+    found.next().is_none().then_some(first)
+}

@@ -1,0 +1,145 @@
+//! What single numbers are by their names.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::order::OrderSource;
+use crate::problem::Span;
+use crate::text::record::format::{Angles, Field, Part, Unit};
+use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
+use crate::text::record::meaning::{Meaning, Role};
+use crate::text::record::parts::{Said, made};
+use crate::text::record::quantity::Named;
+
+pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
+    let mut path = named.path.clone();
+    path.push(&named.stem);
+    let meaning = Meaning::of(&path);
+    let mut left: Vec<&_> = named.members.iter().collect();
+    let mut all = Vec::new();
+    for (field, format) in fields {
+        let (names, parts) = match field {
+            Field::OnlyNamed(names, parts) if named.members.len() == names.split(' ').count() => {
+                (names, parts)
+            }
+            Field::Named(names, parts) => (names, parts),
+            Field::NamedUnder(above, names, parts) if stands_under(&path, above) => (names, parts),
+            _ => continue,
+        };
+        let wanted: Vec<&str> = names.split(' ').collect();
+        let members: Option<Vec<_>> = wanted
+            .iter()
+            .map(|name| left.iter().find(|member| member.name == *name).copied())
+            .collect();
+        let Some(members) = members else {
+            continue;
+        };
+        let is_scale = meaning.role == Some(Role::Scale);
+        let parts = match parts {
+            [Part::Position] if is_scale => &[Part::Scale][..],
+            [Part::Position] if !is_of_vector(&meaning) => continue,
+            parts => parts,
+        };
+        let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
+        let mut said = context.said(&meaning);
+        let unit = members.iter().find_map(|member| member.unit);
+        said.unit = unit.or(said.unit);
+        let of_names = |order| (order, OrderSource::Named);
+        if let [Part::Quaternion(Some(order))] = parts {
+            said.order = of_names(*order);
+        }
+        let parts: Vec<Part> = parts
+            .iter()
+            .map(|part| match part {
+                Part::Quaternion(Some(_)) => Part::Quaternion(None),
+                other => *other,
+            })
+            .collect();
+        let Some(made) = made(&parts, &numbers, said) else {
+            continue;
+        };
+        left.retain(|member| !wanted.contains(&member.name.as_str()));
+        let span = members
+            .iter()
+            .map(|member| member.span)
+            .reduce(Span::to)
+            .unwrap_or_default();
+        all.extend(made.into_iter().map(|made| Found {
+            made,
+            label: label_of(&path),
+            span,
+            is_derived: meaning.role == Some(Role::Derived),
+            is_computed: members.iter().any(|member| member.is_computed),
+            format: *format,
+            has_rows: true,
+        }));
+    }
+    all
+}
+
+/// Whether x, y and z can be a position here.
+fn is_of_vector(meaning: &Meaning) -> bool {
+    !matches!(
+        meaning.role,
+        Some(
+            Role::Other
+                | Role::Euler
+                | Role::Rotation
+                | Role::RotationVector
+                | Role::Axis
+                | Role::Quaternion
+                | Role::Scale
+                | Role::Vector
+        )
+    )
+}
+
+/// One turn after the other about moving axes, by their names: `rotateY(10deg) rotateX(20deg) rotateZ(30deg)`,
+/// and the channels of BVH.
+pub(crate) fn turns_by_axis(named: &Named<'_>, context: &Context) -> Option<Found> {
+    let of_stem = named.stem.ends_with("rotate");
+    let axis = |name: &str| -> Option<char> {
+        let letter = if of_stem {
+            name
+        } else {
+            name.strip_suffix("rotation")?
+        };
+        matches!(letter, "x" | "y" | "z").then(|| letter.chars().next())?
+    };
+    let turns: Vec<_> = named
+        .members
+        .iter()
+        .filter_map(|member| Some((axis(&member.name)?, member)))
+        .collect();
+    let [(first, one), (second, two), (third, three)] = turns[..] else {
+        return None;
+    };
+    let letters: String = [first, second, third]
+        .iter()
+        .map(char::to_ascii_uppercase)
+        .collect();
+    let meaning = Meaning::default();
+    let unit = [one, two, three].iter().find_map(|member| member.unit);
+    let said = Said {
+        letters: Some(&letters),
+        unit: unit.or(context.unit),
+        ..context.said(&meaning)
+    };
+    let angles = Angles::new(
+        "XYZ",
+        if of_stem {
+            Unit::BySize
+        } else {
+            Unit::Always(AngleUnit::Degrees)
+        },
+    );
+    let numbers = [one.value, two.value, three.value];
+    let made = made(&[Part::Euler(angles)], &numbers, said)?;
+    Some(Found {
+        made: made.into_iter().next()?,
+        label: label_of(&named.path),
+        span: one.span.to(three.span),
+        is_derived: false,
+        is_computed: [one, two, three].iter().any(|member| member.is_computed),
+        format: None,
+        has_rows: true,
+    })
+}

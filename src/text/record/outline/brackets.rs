@@ -1,0 +1,111 @@
+//! What brackets and elements hold.
+
+use crate::text::record::outline::{Builder, Kind, Open, Opened, Pending, scope};
+use crate::text::record::scan::{Mark, Token};
+
+impl<'t> Builder<'t> {
+    pub(crate) fn open(&mut self, token: &Token<'t>, opened: Opened) {
+        let key = if opened == Opened::Element {
+            self.flush();
+            token.text.trim_start_matches('<')
+        } else {
+            self.key()
+        };
+        let mut member = scope(key, "", token.span, self.row);
+        member.is_bracketed = opened == Opened::Bracket;
+        member.is_computed = std::mem::take(&mut self.is_computed);
+        member.follows_bar = std::mem::take(&mut self.follows_bar);
+        self.open.push(Open { opened, member });
+    }
+
+    pub(crate) fn close(&mut self) {
+        self.flush();
+        if self.open.len() > 1
+            && let Some(Open { mut member, .. }) = self.open.pop()
+        {
+            let last = member.members.last().map_or(member.span, |last| last.span);
+            member.span = member.span.to(last);
+            // Its own row: what follows in this line is beside it.
+            self.inside().members.push(member);
+        }
+    }
+
+    pub(crate) fn close_bracket(&mut self) {
+        let Some(at) = self
+            .open
+            .iter()
+            .rposition(|open| open.opened == Opened::Bracket)
+        else {
+            self.flush();
+            return;
+        };
+        while self.open.len() > at + 1 {
+            self.close();
+        }
+        // A word in brackets, `(xyzw)`, `[deg]`, belongs to the name before it.
+        if let Some(name) = self.remark() {
+            self.open.pop();
+            self.pending = name;
+            return;
+        }
+        let key_is_done = self.is_computed;
+        self.close();
+        self.is_computed = key_is_done;
+    }
+
+    /// The words of a bracket that holds nothing else, with those before it.
+    pub(crate) fn remark(&mut self) -> Option<Pending<'t>> {
+        let open = self.open.last()?;
+        let is_words = open
+            .member
+            .members
+            .iter()
+            .all(|member| member.kind == Kind::Word && member.key.is_empty());
+        if !is_words || open.opened != Opened::Bracket {
+            return None;
+        }
+        let mut words: Vec<Token<'t>> = open
+            .member
+            .members
+            .iter()
+            .map(|member| Token {
+                mark: Mark::Word,
+                text: member.text,
+                span: member.span,
+            })
+            .collect();
+        words.append(&mut self.pending.words);
+        self.pending.labels.clear();
+        // The time of a log says nothing of what follows.
+        words.retain(|word| !word.text.starts_with(|first: char| first.is_ascii_digit()));
+        let open = self.open.last()?;
+        let key = open.member.key;
+        let before = Token {
+            mark: Mark::Word,
+            text: key,
+            span: self.span_of(key),
+        };
+        Some(Pending {
+            words: (!key.is_empty())
+                .then_some(before)
+                .into_iter()
+                .chain(words)
+                .collect(),
+            labels: Vec::new(),
+        })
+    }
+
+    pub(crate) fn close_element(&mut self) {
+        let Some(at) = self
+            .open
+            .iter()
+            .rposition(|open| open.opened == Opened::Element)
+        else {
+            self.flush();
+            return;
+        };
+        while self.open.len() > at {
+            self.close();
+        }
+    }
+}

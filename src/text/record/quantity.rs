@@ -1,0 +1,64 @@
+//! What a text holds: runs of numbers, single numbers by name, words with a name.
+
+use crate::convention::angle::AngleUnit;
+use crate::problem::Span;
+
+/// Numbers that stand together.
+#[derive(Clone, Debug)]
+pub(crate) struct Group<'t> {
+    /// The names of what holds it from the outermost on; the last is its own, and may be empty.
+    pub(crate) path: Vec<&'t str>,
+    pub(crate) numbers: Vec<f64>,
+    /// How many numbers each row has.
+    pub(crate) rows: Vec<usize>,
+    pub(crate) span: Span,
+    /// Which scope holds it.
+    pub(crate) scope: usize,
+    /// Whether a sign that computes stands at it or inside.
+    pub(crate) is_computed: bool,
+    pub(crate) follows_bar: bool,
+    /// The unit that stands behind one of the numbers.
+    pub(crate) unit: Option<AngleUnit>,
+    /// Whether commas divide the numbers.
+    pub(crate) has_commas: bool,
+    /// Whether it stands in a line, in no brackets.
+    pub(crate) is_line: bool,
+}
+
+/// A word that is a value: `_order: 'XYZ'`.
+#[derive(Clone, Debug)]
+pub(crate) struct Value<'t> {
+    pub(crate) key: &'t str,
+    pub(crate) text: &'t str,
+}
+
+/// Single numbers by name that stand together: `x: 1 y: 2 z: 3`.
+#[derive(Clone, Debug)]
+pub(crate) struct Named<'t> {
+    pub(crate) path: Vec<&'t str>,
+    /// What the names have in common: `stateEstimate` of `stateEstimate.qx`.
+    pub(crate) stem: String,
+    pub(crate) members: Vec<NamedNumber>,
+    pub(crate) scope: usize,
+    /// Whether more than the first have the stem.
+    pub(crate) others_have_stem: bool,
+}
+
+/// A number by name.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedNumber {
+    /// In small letters.
+    pub(crate) name: String,
+    pub(crate) value: f64,
+    pub(crate) span: Span,
+    pub(crate) is_computed: bool,
+    pub(crate) unit: Option<AngleUnit>,
+}
+
+pub(crate) fn own_key<'t>(group: &Group<'t>) -> &'t str {
+    group.path.last().copied().unwrap_or("")
+}
+
+pub(crate) fn is_named(group: &Group<'_>) -> bool {
+    !own_key(group).is_empty()
+}

@@ -1,0 +1,297 @@
+//! Any text to tokens, whatever language it is of: what is not understood is passed over, nothing fails.
+
+// What the beginning of a text is.
+mod lexemes;
+
+// Numbers and their signs.
+mod number;
+
+// Names, quotes and tags.
+mod word;
+
+use crate::problem::Span;
+use crate::text::record::scan::lexemes::{index, is_checksum, name, prompt, row_label};
+
+/// What a piece of a text is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Mark {
+    Number(f64),
+    /// A name, a path, a time, or anything in quotes.
+    Word,
+    /// A word that begins with dashes: `--frame-id`.
+    Flag,
+    Open,
+    Close,
+    /// `<name`: the attributes follow.
+    TagOpen,
+    /// `/>`, `</name>`.
+    TagClose,
+    Comma,
+    Semicolon,
+    /// `|`, and the lines that divide one thing from the next.
+    Bar,
+    /// `:`, `=`, an arrow.
+    Label,
+    /// `*` behind a number and before a line: `1.0e+03 *`.
+    Factor,
+    /// A sign that computes: the numbers beside it are not those that are meant.
+    Operator,
+    /// A line begins; how far it is indented.
+    Line(usize),
+    /// A console asks; what is typed in this line names what it answers.
+    Prompt,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Token<'t> {
+    pub(crate) mark: Mark,
+    pub(crate) text: &'t str,
+    pub(crate) span: Span,
+}
+
+/// How a text writes its decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Decimals {
+    Point,
+    /// `0,5 0,5`: every comma touches a digit on both sides, and no point does.
+    Comma,
+}
+
+/// The tokens of a text.
+pub(crate) fn scan(text: &str) -> Vec<Token<'_>> {
+    let mut scanner = Scanner {
+        text,
+        at: 0,
+        decimals: decimals(text),
+        tokens: Vec::new(),
+        quotes: Vec::new(),
+    };
+    scanner.line();
+    while scanner.at < text.len() {
+        scanner.step();
+    }
+    scanner.tokens
+}
+
+/// A comma is decimal where all are, and something else divides the numbers.
+fn decimals(text: &str) -> Decimals {
+    let bytes = text.as_bytes();
+    let digit = |at: Option<usize>| {
+        at.and_then(|at| bytes.get(at))
+            .is_some_and(u8::is_ascii_digit)
+    };
+    let between = |at: usize| digit(at.checked_sub(1)) && digit(Some(at + 1));
+    let marks = |mark: u8| {
+        bytes
+            .iter()
+            .enumerate()
+            .filter(move |&(_, &byte)| byte == mark)
+    };
+    let commas = marks(b',').count();
+    let all_decimal = commas > 1 && marks(b',').all(|(at, _)| between(at));
+    let no_points = !marks(b'.').any(|(at, _)| between(at));
+    // `1,0,0,0` has no other mark between its numbers.
+    let runs = text
+        .split(|mark: char| mark.is_whitespace() || mark == ';')
+        .all(|run| run.matches(',').count() <= 1);
+    if all_decimal && no_points && runs {
+        Decimals::Comma
+    } else {
+        Decimals::Point
+    }
+}
+
+struct Scanner<'t> {
+    text: &'t str,
+    at: usize,
+    decimals: Decimals,
+    tokens: Vec<Token<'t>>,
+    /// Where the quotes end whose inside is read.
+    quotes: Vec<usize>,
+}
+
+impl<'t> Scanner<'t> {
+    fn rest(&self) -> &'t str {
+        &self.text[self.at..]
+    }
+
+    fn push(&mut self, mark: Mark, length: usize) {
+        let span = Span::from(self.at..self.at + length);
+        self.tokens.push(Token {
+            mark,
+            text: &self.text[span.start..span.end],
+            span,
+        });
+        self.at += length;
+    }
+
+    /// The mark of the token that touches this place.
+    fn touching(&self) -> Option<Mark> {
+        let last = self.tokens.last()?;
+        (last.span.end == self.at).then_some(last.mark)
+    }
+
+    /// The beginning of a line: its indentation, and the dashes, prompts and comment signs of it.
+    fn line(&mut self) {
+        let rest = self.rest();
+        let blank = rest.len() - rest.trim_start_matches([' ', '\t', '\r']).len();
+        let mut inside = &rest[blank..];
+        let mut indent = blank;
+        // A list of YAML is inside of what stands above it, wherever its dash is.
+        while let Some(item) = inside
+            .strip_prefix("- ")
+            .or_else(|| inside.strip_prefix("-\t"))
+        {
+            let own = item.trim_start_matches([' ', '\t']);
+            indent += inside.len() - own.len();
+            inside = own;
+        }
+        let length = rest.len() - inside.len();
+        self.push(Mark::Line(indent), length);
+        let prompt = prompt(inside);
+        if inside.starts_with(['>', 'I', 'O']) && prompt > 0 {
+            self.push(Mark::Prompt, prompt);
+        } else {
+            self.at += prompt;
+        }
+        // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
+        let rest = self.rest();
+        let name = name(rest);
+        let is_record = name > 1
+            && rest[..name]
+                .bytes()
+                .all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_')
+            && rest.starts_with(|first: char| first.is_ascii_uppercase())
+            && rest[name..].starts_with(',');
+        if is_record {
+            self.push(Mark::Word, name);
+            self.push(Mark::Label, 1);
+        }
+        if self.rest().starts_with("---") || self.rest().starts_with("===") {
+            let run = self.rest();
+            let rule = run.len() - run.trim_start_matches(['-', '=']).len();
+            if run[rule..]
+                .trim_start_matches([' ', '\t', '\r'])
+                .starts_with('\n')
+                || run[rule..].trim().is_empty()
+            {
+                self.push(Mark::Bar, rule);
+            }
+        }
+    }
+
+    fn step(&mut self) {
+        if self.quotes.last() == Some(&self.at) {
+            self.quotes.pop();
+            self.push(Mark::Close, 1);
+            return;
+        }
+        let rest = self.rest();
+        let Some(first) = rest.chars().next() else {
+            return;
+        };
+        let second = rest[first.len_utf8()..].chars().next().unwrap_or(' ');
+        match first {
+            '\n' => {
+                self.at += 1;
+                self.line();
+            }
+            '\\' if second == '\n' => self.at += 2,
+            // A type of YAML: `!!opencv-matrix`.
+            '!' if second == '!' => {
+                let tag = rest.find(char::is_whitespace).unwrap_or(rest.len());
+                self.at += tag;
+            }
+            '*' if is_checksum(rest) => self.at += 3,
+            // Bold face.
+            '*' if second == '*' && !rest[2..].starts_with(|mark: char| mark.is_ascii_digit()) => {
+                self.at += 2;
+            }
+            // What a name is explained by; a line of its own is read.
+            '#' if matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Label,
+                    ..
+                })
+            ) =>
+            {
+                self.at += rest.find('\n').unwrap_or(rest.len());
+            }
+            _ if first.is_whitespace() => self.at += first.len_utf8(),
+            '0'..='9' => self.number(0),
+            '.' if second.is_ascii_digit() => self.number(0),
+            '+' | '-' | '−' => self.sign(first),
+            '"' | '\'' | '`' => self.quote(first),
+            '[' if index(rest) > 0 => {
+                let length = index(rest);
+                self.push(Mark::Word, length);
+            }
+            // The rows and columns of R: `[1,]`, `[,2]`.
+            '[' if row_label(rest) > 0 => self.at += row_label(rest),
+            '(' | '[' | '{' => self.push(Mark::Open, 1),
+            ')' | ']' | '}' => self.push(Mark::Close, 1),
+            '<' => self.angle(),
+            '/' if second == '>' => self.push(Mark::TagClose, 2),
+            '=' if second == '>' => self.push(Mark::Label, 2),
+            '=' if second == '=' => self.push(Mark::Operator, 2),
+            ':' | '=' => self.push(Mark::Label, 1),
+            '→' | '⇒' => self.push(Mark::Label, first.len_utf8()),
+            '±' => self.push(Mark::Word, first.len_utf8()),
+            ',' => self.push(Mark::Comma, 1),
+            ';' => self.push(Mark::Semicolon, 1),
+            '|' => self.bar(),
+            // The end of a tag, or of something that angle brackets hold.
+            '>' => self.push(Mark::Comma, 1),
+            '*' | '×' | '·' | '^' | '√' => self.operator(first),
+            '/' if matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Number(_),
+                    ..
+                })
+            ) && !second.is_alphabetic() =>
+            {
+                self.push(Mark::Operator, 1);
+            }
+            '…' => self.push(Mark::Operator, first.len_utf8()),
+            '°' | 'º' | '˚' => self.push(Mark::Word, first.len_utf8()),
+            _ if first.is_alphabetic() || first == '_' => self.word(),
+            _ => self.at += first.len_utf8(),
+        }
+    }
+
+    /// A bar divides two things of a line; at its ends it is the frame of a matrix.
+    fn bar(&mut self) {
+        let is_frame = self.rest()[1..]
+            .trim_start_matches([' ', '\t', '\r'])
+            .starts_with('\n')
+            || self.rest()[1..].trim().is_empty()
+            || matches!(
+                self.tokens.last(),
+                Some(Token {
+                    mark: Mark::Line(_) | Mark::Label,
+                    ..
+                })
+            );
+        if is_frame {
+            self.at += 1;
+        } else {
+            self.push(Mark::Bar, 1);
+        }
+    }
+
+    fn operator(&mut self, first: char) {
+        let length = first.len_utf8();
+        let line = self.rest()[length..].trim_start_matches([' ', '\t', '\r']);
+        let is_factor = first == '*' && line.starts_with('\n');
+        self.push(
+            if is_factor {
+                Mark::Factor
+            } else {
+                Mark::Operator
+            },
+            length,
+        );
+    }
+}

@@ -1,0 +1,134 @@
+//! Names, what stands in quotes, and tags.
+
+use crate::problem::Span;
+use crate::text::record::scan::lexemes::{element, name, types};
+use crate::text::record::scan::{Mark, Scanner, Token};
+
+impl<'t> Scanner<'t> {
+    pub(crate) fn word(&mut self) {
+        let rest = self.rest();
+        let mut end = name(rest);
+        loop {
+            let after = &rest[end..];
+            let joint = if after.starts_with("::") { 2 } else { 1 };
+            let is_joint =
+                after.starts_with("::") || after.starts_with('.') || after.starts_with('-');
+            let next = after.get(joint..).unwrap_or("");
+            // `tf2-echo`, `body-to-world`; `x-0.5` is a difference.
+            let is_code = || {
+                let own = &next[..name(next)];
+                after.starts_with('-')
+                    && own.starts_with(|first: char| first.is_ascii_digit())
+                    && own.contains(|mark: char| mark.is_ascii_uppercase())
+            };
+            if is_joint
+                && (next.starts_with(|first: char| first.is_alphabetic() || first == '_')
+                    || is_code())
+            {
+                end += joint + name(next);
+            } else if element(after) > 0 {
+                end += element(after);
+            } else if after.starts_with("[]") {
+                end += 2;
+            } else {
+                break;
+            }
+        }
+        // The types in `SIMD3<Float>`, `Matrix{Float64}`, `!!opencv-matrix`: names inside brackets that touch.
+        let after = &rest[end..];
+        let argument = types(after);
+        if after[argument..].starts_with('\'')
+            && !after[argument + 1..].starts_with(|next: char| next.is_alphanumeric())
+        {
+            self.push(Mark::Word, end + argument);
+            self.push(Mark::Operator, 1);
+            return;
+        }
+        self.push(Mark::Word, end);
+        self.at += argument;
+    }
+
+    pub(crate) fn quote(&mut self, quote: char) {
+        let rest = self.rest();
+        let inside = &rest[1..];
+        if quote == '\'' && matches!(self.touching(), Some(Mark::Close | Mark::Number(_))) {
+            // The transpose of MATLAB.
+            self.push(Mark::Operator, 1);
+            return;
+        }
+        let Some(length) = inside.find(quote) else {
+            self.at += 1;
+            return;
+        };
+        let inside = &inside[..length];
+        let numbers = inside
+            .split(|mark: char| mark.is_whitespace() || ",;".contains(mark))
+            .filter(|part| {
+                part.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first))
+                    && part.contains(|digit: char| digit.is_ascii_digit())
+            })
+            .count();
+        let is_flag = inside.starts_with("--") && inside[2..].starts_with(char::is_alphabetic);
+        if is_flag {
+            let span = Span::from(self.at + 1..self.at + 1 + length);
+            self.tokens.push(Token {
+                mark: Mark::Flag,
+                text: inside,
+                span,
+            });
+            self.at += length + 2;
+            return;
+        }
+        let is_number = inside.trim().parse::<f64>().is_ok_and(f64::is_finite);
+        if is_number {
+            self.at += 1 + inside.len() - inside.trim_start().len();
+            let end = self.at - (1 + inside.len() - inside.trim_start().len()) + length + 2;
+            self.step();
+            self.at = end;
+        } else if numbers >= 2 {
+            let end = self.at + 1 + length;
+            self.push(Mark::Open, 1);
+            self.quotes.push(end);
+        } else {
+            let start = self.at + 1;
+            self.tokens.push(Token {
+                mark: Mark::Word,
+                text: inside,
+                span: Span::from(start..start + length),
+            });
+            self.at += length + 2;
+        }
+    }
+
+    pub(crate) fn angle(&mut self) {
+        let rest = self.rest();
+        if let Some(closing) = rest.strip_prefix("</") {
+            let length = closing.find('>').map_or(closing.len(), |at| at + 1);
+            self.push(Mark::TagClose, 2 + length);
+            return;
+        }
+        let inside = &rest[1..];
+        let length = inside.len()
+            - inside
+                .trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-.:".contains(mark))
+                .len();
+        let after = inside[length..].trim_start();
+        let attribute = &after[name(after)..];
+        let is_tag = length > 0
+            && inside.starts_with(|first: char| first.is_alphabetic())
+            && (after.starts_with('>')
+                || after.starts_with("/>")
+                || attribute.len() < after.len()
+                    && attribute.trim_start().starts_with('=')
+                    && attribute.trim_start()[1..]
+                        .trim_start()
+                        .starts_with(['"', '\'']));
+        if is_tag {
+            self.push(Mark::TagOpen, 1 + length);
+        } else if rest.starts_with("<<") {
+            self.push(Mark::Label, 2);
+        } else {
+            self.at += 1;
+        }
+    }
+}

@@ -47,8 +47,16 @@ pub(crate) fn of_record(
 /// stays a problem of the text itself.
 fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
     let has_words = text.contains(char::is_alphabetic);
+    let is_one_line = !text.trim().contains('\n');
+    let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
     match fault.code {
         ProblemCode::WrongCount => true,
+        // A bracket that is missing where nothing but the numbers stands.
+        ProblemCode::UnclosedBracket | ProblemCode::UnmatchedBracket
+            if is_one_line && record.quantities == 1 =>
+        {
+            is_arrow
+        }
         ProblemCode::UnknownWord
         | ProblemCode::UnknownComponent
         | ProblemCode::Unexpected
@@ -123,6 +131,9 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
         .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
         .collect();
     told.extend(found_in_text(record, found, &attitude, text));
+    if is_assumed(found) && !has_mark_before(text, found.span) {
+        return None;
+    }
     if is_assumed(found) {
         let label = shorten(&found.label, LONGEST_LABEL);
         told.push(Fact::RotationAssumed(RotationAssumed { label }));
@@ -219,6 +230,12 @@ fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
         }
         rotation => rotation.clone(),
     }
+}
+
+/// Whether a mark divides numbers from the words before them, which are a label then: `pose: 1 0 0 0`.
+fn has_mark_before(text: &str, numbers: Span) -> bool {
+    let before = text[..numbers.start].trim_end();
+    before.ends_with([':', '=', '>', '(', '[', '{', '<', '"', '≈', '⟨'])
 }
 
 /// How much of a label a note repeats, in characters.

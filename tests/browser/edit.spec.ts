@@ -64,7 +64,7 @@ test("a component is edited by keyboard, and the text says all four", async ({ p
   await page.keyboard.press("Enter");
   await expect(w).toHaveValue("0.9238795325112867");
   await page.keyboard.type("1/√2");
-  await expect(quaternionField(page)).toHaveValue("w=(1/√2), x=0, y=0, z=0.3826834323650898");
+  await expect(quaternionField(page)).toHaveValue("qw=(1/√2), qx=0, qy=0, qz=0.3826834323650898");
   await expect(field(page, "JPL q, w")).toHaveValue("0.707107");
   // What was typed stays until the quaternion is left.
   await page.keyboard.press("Enter");
@@ -96,7 +96,7 @@ test("a component is that of its column in all 32 conventions", async ({ page })
       if ((await page.locator(`.card.${column}`).count()) === 0) continue;
       const before = await components(page, column);
       await field(page, name).fill("0.25");
-      await expect(quaternionField(page), choice).toHaveValue(/^[wxyz]=/);
+      await expect(quaternionField(page), choice).toHaveValue(/^q[wxyz]=/);
       // What was typed is shown until the group is left: then it is what was read.
       await quaternionField(page).focus();
       const after = await components(page, column);
@@ -219,7 +219,7 @@ test("a click selects the whole number", async ({ page }) => {
   await w.click();
   await page.keyboard.type("2");
   await expect(w).toHaveValue("2");
-  await expect(quaternionField(page)).toHaveValue("w=2, x=0, y=0, z=0.3826834323650898");
+  await expect(quaternionField(page)).toHaveValue("qw=2, qx=0, qy=0, qz=0.3826834323650898");
 });
 
 test("a matrix half typed stays as it is, with its problem, beside the last result", async ({
@@ -267,7 +267,7 @@ test("Escape restores the number before the edit, Enter takes it", async ({ page
   await page.keyboard.press("Escape");
   await expect(field(page, "Hamilton q, y")).toHaveValue("0");
   await expect(field(page, "Hamilton q, y")).toBeFocused();
-  await expect(quaternionField(page)).toHaveValue("w=1, x=1, y=0, z=0");
+  await expect(quaternionField(page)).toHaveValue("qw=1, qx=1, qy=0, qz=0");
 
   const cell = field(page, "R(q), row 1, column 2");
   await cell.focus();

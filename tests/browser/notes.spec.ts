@@ -27,7 +27,7 @@ const rows = (...numbers: string[]) => numbers.join("\n");
 const texts: { name: string; typed: string; said: RegExp; written: string }[] = [
   {
     name: "a norm that is not 1",
-    typed: "w=3 x=0 y=0 z=-4",
+    typed: "quaternion w=3 x=0 y=0 z=-4",
     said: /The norm is 5, off from 1 by 4/,
     written: "w=0.6 x=0 y=0 z=-0.8",
   },
@@ -118,7 +118,7 @@ test("a constructor of the other order: its order is declared", async ({ page })
 
 test("what settles something comes before what declares", async ({ page }) => {
   await page.goto("/");
-  await type(page, "-3 0 0 4");
+  await type(page, "quaternion -3 0 0 4");
   await expect(notes(page)).toHaveCount(3);
   await page.keyboard.press("Alt+Enter");
   await expect(quaternionField(page)).toHaveValue("w=-0.6 x=0 y=0 z=0.8");
@@ -273,7 +273,7 @@ test("the vector is mended too, and by a key that comes before it is known how",
 });
 
 test("in Compose each operand has its own key", async ({ page }) => {
-  await page.goto("/#compose?p=w%3D3+x%3D0+y%3D0+z%3D4&q=-0.6+%2B+0.8i");
+  await page.goto("/#compose?p=qw%3D3+qx%3D0+qy%3D0+qz%3D4&q=-0.6+%2B+0.8i");
   const p = page.getByRole("textbox", { name: "quaternion p" });
   const q = page.getByRole("textbox", { name: "quaternion q" });
   const lines = page.locator(".read-as > div");
@@ -282,7 +282,7 @@ test("in Compose each operand has its own key", async ({ page }) => {
   await q.focus();
   await page.keyboard.press("Alt+Enter");
   await expect(q).toHaveValue("w=0.6 x=-0.8 y=0 z=0");
-  await expect(p).toHaveValue("w=3 x=0 y=0 z=4");
+  await expect(p).toHaveValue("qw=3 qx=0 qy=0 qz=4");
   await p.focus();
   await page.keyboard.press("Alt+Enter");
   await expect(p).toHaveValue("w=0.6 x=0 y=0 z=0.8");

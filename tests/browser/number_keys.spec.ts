@@ -107,11 +107,11 @@ test("Enter and F2 edit with all digits, and in there the arrows move and step",
   await page.keyboard.type("1/8");
   await page.keyboard.press("Tab");
   await expect(page.locator(".number:focus")).toHaveCount(0);
-  await expect(quaternionField(page)).toHaveValue("w=0.5, x=(1/8), y=.25, z=0.8");
+  await expect(quaternionField(page)).toHaveValue("qw=0.5, qx=(1/8), qy=.25, qz=0.8");
   // Undo moves the cursor into the number; what is typed replaces it all the same.
   await y.focus();
   await page.keyboard.press("ControlOrMeta+z");
-  await expect(quaternionField(page)).toHaveValue("w=0.5, x=0.1, y=.25, z=0.8");
+  await expect(quaternionField(page)).toHaveValue("qw=0.5, qx=0.1, qy=.25, qz=0.8");
   await page.keyboard.press("ControlOrMeta+z");
   await expect(y).toHaveValue("−0.300000");
   await page.keyboard.type("7");

@@ -8,7 +8,7 @@ import type {
   ReadReport,
   Suggestion,
 } from "../engine.ts";
-import { namesOf, otherOrder } from "../model/component_order.ts";
+import { markOf, namesOf, otherOrder } from "../model/component_order.ts";
 import { declaredConvention, differing, operatorOf } from "../model/conventions.ts";
 import type { PageState, View } from "../model/page_state.ts";
 import { exact } from "../number/format.ts";
@@ -197,7 +197,10 @@ export function applyFirst(store: Store, field: Field): boolean {
 export function apply(store: Store, fix: Fix) {
   const change = fix.change();
   if (change === undefined) return;
+  // A step of its own, however fast the hand that typed before.
+  store.step();
   store.set(change);
+  store.step();
   announce(doneWords(fix.label));
 }
 
@@ -238,7 +241,11 @@ function named(
   components: Pick<Components, "w" | "x" | "y" | "z">,
   { convention }: ReadQuaternion,
 ): string {
-  return namesOf[convention.order].map((name) => `${name}=${exact(components[name])}`).join(" ");
+  const mark = markOf(components);
+  const parts = namesOf[convention.order].map(
+    (name) => `${mark}${name}=${exact(components[name])}`,
+  );
+  return parts.join(" ");
 }
 
 function declaresOrder(

@@ -1,7 +1,7 @@
 // The case of one view as the case of another: the same numbers in the same convention.
 import type { Convention, Endpoint } from "../engine.ts";
 import { namedConventions } from "../values.ts";
-import { type ComponentName, namesOf } from "./component_order.ts";
+import { type ComponentName, markOf, namesOf } from "./component_order.ts";
 import { differing, presetOf } from "./conventions.ts";
 import type { PageState } from "./page_state.ts";
 
@@ -40,7 +40,9 @@ export function translatedFrom(from: Endpoint): Partial<PageState> {
 
 /** Every digit, by name, in the order of the convention: nothing is left to be assumed. */
 function textOf({ components, convention }: CarriedQuaternion): string {
-  return namesOf[convention.order].map((name) => `${name}=${components[name]}`).join(" ");
+  const mark = markOf(components);
+  const parts = namesOf[convention.order].map((name) => `${mark}${name}=${components[name]}`);
+  return parts.join(" ");
 }
 
 /** The choices by which four numbers are meant in a convention. */

@@ -28,6 +28,14 @@ export const otherOrder: Record<ComponentOrder, ComponentOrder> = {
   "scalar-last": "scalar-first",
 };
 
+/**
+ * What stands before each name where numbers are written as text: of a norm far from 1 the core asks
+ * whether they are a quaternion at all, which `qw` says and `w` does not.
+ */
+export function markOf({ w, x, y, z }: Readonly<Record<ComponentName, number>>): "" | "q" {
+  return Math.abs(Math.hypot(w, x, y, z) - 1) < 0.1 ? "" : "q";
+}
+
 /** Four numbers in an order. */
 export function arrayOf(
   components: Readonly<Record<ComponentName, number>>,

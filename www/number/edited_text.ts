@@ -42,7 +42,8 @@ export function editedText(description: Description, parts: readonly string[]): 
         const place = names.indexOf(name);
         const number = numberText(parts[place] ?? "");
         const text = isConjugate && name !== "w" ? opposite(number) : number;
-        return [`${at === 0 ? "" : ", "}${name}=`, { place, text }];
+        // With the names of a quaternion, so that any norm is only told.
+        return [`${at === 0 ? "" : ", "}q${name}=`, { place, text }];
       });
       return written(pieces);
     }

@@ -17,11 +17,11 @@ const zyx = { axes: "zyx", frame: "intrinsic" } as const;
 const about = (unit: "degrees" | "radians") => ({ kind: "axis-angle", unit }) as const;
 
 const texts: [Description, string[], string][] = [
-  [{ ...jplNames, isConjugate: false }, ["1", "-2", "3", "4"], "w=4, x=1, y=-2, z=3"],
+  [{ ...jplNames, isConjugate: false }, ["1", "-2", "3", "4"], "qw=4, qx=1, qy=-2, qz=3"],
   // A conjugate has the opposite vector part; zero has no sign.
-  [jplNames, ["1", "-2", "0", "-4"], "w=-4, x=-1, y=2, z=0"],
-  [jplNames, ["1/√2", "−.5e-3", "+2", "4"], "w=4, x=-(1/√2), y=.5e-3, z=-2"],
-  [jplNames, ["", " ", "2", "4"], "w=4, x=?, y=?, z=-2"],
+  [jplNames, ["1", "-2", "0", "-4"], "qw=-4, qx=-1, qy=2, qz=0"],
+  [jplNames, ["1/√2", "−.5e-3", "+2", "4"], "qw=4, qx=-(1/√2), qy=.5e-3, qz=-2"],
+  [jplNames, ["", " ", "2", "4"], "qw=4, qx=?, qy=?, qz=-2"],
   [
     { kind: "matrix", direction: "world-to-body" },
     ["1", "0", "0", "0", "√½", "-1/√2", "0", "1/2", ""],

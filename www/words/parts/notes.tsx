@@ -104,8 +104,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "far-from-unit":
       return (
         <>
-          {aQuaternion(fact.norm)}? Four such numbers are often a point, an axis and an angle, or a
-          position with a yaw or a time.
+          {aQuaternion(fact.norm)}? Or a point, an axis and an angle, a position with a yaw or a
+          time?
         </>
       );
     case "rotation-assumed":

@@ -50,6 +50,17 @@ pub(crate) fn rotation(text: &str) -> ParsedRotation {
     first
 }
 
+/// How the unit of the angles in a text was told.
+#[track_caller]
+pub(crate) fn unit_of(text: &str) -> UnitSource {
+    match rotation(text) {
+        ParsedRotation::AxisAngle(parsed) => parsed.unit,
+        ParsedRotation::RotationVector(parsed) => parsed.unit,
+        ParsedRotation::EulerAngles(parsed) => parsed.unit,
+        other => panic!("{text} has no angles: {other:?}"),
+    }
+}
+
 pub(crate) fn problems(outcome: Outcome) -> Vec<Problem> {
     match outcome {
         Outcome::Problems(found) => found.problems,

@@ -3,6 +3,9 @@
 // Of Euler sequences and their frames.
 mod euler;
 
+// Of labels and comments.
+mod label;
+
 // Of translation and identification.
 mod library;
 

@@ -285,34 +285,6 @@ impl Fault {
         })
     }
 
-    /// A label that names something else than what is wanted: `what`, in words.
-    pub(crate) fn other_label(span: Span, name: &str, what: &str, wanted: Wanted) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
-            let name = shorten(name, QUOTED_CHARACTERS);
-            let itself = match wanted {
-                Wanted::Quaternion => "rotation",
-                Wanted::Vector => "vector",
-            };
-            Words::new(
-                format!("{name} names {what}, not the {itself} itself"),
-                format!("the numbers of the {itself}"),
-                format!("remove this name if the numbers are the {itself}"),
-            )
-        })
-    }
-
-    /// A label or a comment that names another convention than is declared: `what`, in words.
-    pub(crate) fn told_otherwise(span: Span, written: &str, what: &str) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
-            let written = shorten(written, QUOTED_CHARACTERS);
-            Words::new(
-                format!("{written} says {what}, which is not what is declared"),
-                "numbers in the declared convention",
-                format!("declare {what}, or remove these words if the numbers are as declared"),
-            )
-        })
-    }
-
     pub(crate) fn unknown_argument(span: Span, name: &str) -> Self {
         Self::told(ProblemCode::UnknownComponent, span, || {
             let name = shorten(name, QUOTED_CHARACTERS);

@@ -3,7 +3,7 @@
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
 use crate::text::grammar::lex::Token;
-use crate::text::vocabulary::labels::{other_than_rotation, other_than_vector};
+use crate::text::vocabulary::labels::{LabelWord, other_than_rotation, other_than_vector};
 use crate::text::vocabulary::phrases::is_name;
 
 /// That a label names nothing else than what is wanted.
@@ -13,8 +13,16 @@ pub(crate) fn check(name: &str, span: Span, wanted: Wanted) -> Result<(), Fault>
         Wanted::Vector => other_than_vector(name),
     };
     match other {
-        Some(other) => Err(Fault::other_label(span, name, other.in_words(), wanted)),
+        Some(other) => Err(fault(other, span, name, wanted)),
         None => Ok(()),
+    }
+}
+
+fn fault(other: LabelWord, span: Span, name: &str, wanted: Wanted) -> Fault {
+    match other {
+        LabelWord::OtherOrder => Fault::other_order(span, wanted),
+        LabelWord::LeftHanded => Fault::left_handed(span),
+        _ => Fault::other_label(span, name, other.in_words(), wanted),
     }
 }
 
@@ -30,10 +38,5 @@ pub(crate) fn fault_of_words(label: &[Token<'_>]) -> Option<Fault> {
     let other = other_than_rotation(&together)?;
     let is_it = |name: &&&Token<'_>| other_than_rotation(name.text) == Some(other);
     let name = names.iter().find(is_it).or(names.last())?;
-    Some(Fault::other_label(
-        name.span,
-        name.text,
-        other.in_words(),
-        Wanted::Quaternion,
-    ))
+    Some(fault(other, name.span, name.text, Wanted::Quaternion))
 }

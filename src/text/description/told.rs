@@ -87,9 +87,8 @@ impl<'t> Told<'t> {
         let mut letters = String::new();
         let mut units = Vec::new();
         for comment in comments {
-            let refused = |word: LabelWord| {
-                Fault::other_label(comment.span, comment.text, word.in_words(), wanted)
-            };
+            let refused =
+                |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
             let words: Vec<&str> = words_of(comment.text).collect();
             letters.extend(words.iter().filter(|word| is_component(word)).copied());
             for (at, word) in words.iter().enumerate() {
@@ -111,12 +110,13 @@ impl<'t> Told<'t> {
                     LabelWord::Derived(made) if is_told_in_prose(made, wanted) => {
                         return Err(refused(word));
                     }
-                    LabelWord::LeftHanded | LabelWord::OtherOrder => return Err(refused(word)),
+                    LabelWord::LeftHanded => return Err(Fault::left_handed(comment.span)),
+                    LabelWord::OtherOrder => return Err(Fault::other_order(comment.span, wanted)),
                     LabelWord::Quantity(_) if wanted == Wanted::Quaternion && words.len() < 3 => {
                         return Err(refused(word));
                     }
                     LabelWord::Order(order) if self.order.is_some_and(|own| own != order) => {
-                        return Err(refused(LabelWord::OtherOrder));
+                        return Err(Fault::other_order(comment.span, wanted));
                     }
                     LabelWord::Order(order) => self.order = Some(order),
                     LabelWord::Handedness(_) | LabelWord::Direction(_) => {
@@ -157,10 +157,7 @@ impl<'t> Told<'t> {
                 let is_permuted =
                     lower.len() == names.len() && names.chars().all(|name| lower.contains(name));
                 match comments.first().filter(|_| is_permuted) {
-                    Some(first) => {
-                        let other = LabelWord::OtherOrder.in_words();
-                        return Err(Fault::other_label(first.span, first.text, other, wanted));
-                    }
+                    Some(first) => return Err(Fault::other_order(first.span, wanted)),
                     None => None,
                 }
             }
@@ -268,19 +265,21 @@ impl<'t> Told<'t> {
             ParsedRotation::Matrix(_) => matrix.operator(),
             _ => Direction::BodyToWorld,
         };
-        for &Saying {
-            word,
-            written,
-            span,
-        } in &self.conventions
-        {
+        for &Saying { word, span, .. } in &self.conventions {
             let agrees = match word {
                 LabelWord::Handedness(handedness) => handedness == convention.handedness,
                 LabelWord::Direction(told) => told == direction,
                 _ => true,
             };
             if !agrees {
-                return Err(Fault::told_otherwise(span, written, word.in_words()));
+                let what = word.in_words();
+                return Err(match (word, rotation) {
+                    (LabelWord::Handedness(_), _)
+                    | (_, ParsedRotation::Quaternion(_) | ParsedRotation::Matrix(_)) => {
+                        Fault::told_otherwise(span, what)
+                    }
+                    _ => Fault::opposite_attitude(span, what),
+                });
             }
         }
         Ok(())

@@ -129,6 +129,10 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::Columns,
     ),
     ("rowmajor rows rowwise", LabelWord::Rows),
+    (
+        "viewmatrix modelview modelviewmatrix worldview lookatmatrix",
+        LabelWord::Direction(Direction::WorldToBody),
+    ),
     ("elements", LabelWord::Elements),
     (
         "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q \
@@ -204,11 +208,14 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ),
 ];
 
+/// What stands before the names of two frames, of which the second is turned in the first: `R_world_body`, `Rcw`.
+pub(super) const OPERATORS: [&str; 3] = ["r", "q", "t"];
+
 /// Names of the frame that a rotation is told in, and of the one that turns.
 pub(super) const WORLDS: &str =
-    "world w global inertial nav navigation map earth ecef eci ned enu odom ground";
+    "world w global g inertial i nav navigation n map earth ecef eci ned enu odom ground";
 pub(super) const BODIES: &str =
-    "body b local sensor imu camera cam c device vehicle child robot drone tool rig";
+    "body b local sensor imu i camera cam c device vehicle child robot drone tool rig";
 
 /// What stands behind the name of a quaternion for its conjugate: `q_star`, `qbar`. Alone it is a star tracker.
 pub(super) const CONJUGATING: [&str; 2] = ["star", "bar"];

@@ -6,7 +6,7 @@
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
-use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, STEMS, WORDS, WORLDS};
+use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, OPERATORS, STEMS, WORDS, WORLDS};
 pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
 /// The words of a name: its parts between marks, capitals (`qInv`) and digits (`c2w`).
@@ -128,6 +128,9 @@ fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
             return (direction, 3);
         }
     }
+    if let Some((direction, length)) = frames_ahead(words) {
+        return (Some(direction), length);
+    }
     if let [one, other, ..] = words {
         // `R_t`, `R.T`: perhaps at a time, perhaps transposed.
         if other == "t"
@@ -150,6 +153,40 @@ fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
         word if word == "rt" => (Some(LabelWord::Derived(Derived::Transposed)), 1),
         word => (meaning_of_word(word), 1),
     }
+}
+
+/// What two frames at the start say, and how many words they are: `R_world_body`, `world_R_body`, `R_wb` and `Rwb`
+/// lead from the body to the world.
+fn frames_ahead(words: &[String]) -> Option<(LabelWord, usize)> {
+    let is_operator = |word: &str| OPERATORS.contains(&word);
+    let found = match words {
+        [one, outer, inner, ..] if is_operator(one) => Some((between_frames(inner, outer), 3)),
+        [outer, two, inner, ..] if is_operator(two) => Some((between_frames(inner, outer), 3)),
+        [one, pair, ..] if is_operator(one) => Some((of_letters(pair), 2)),
+        // `q_GtoI`
+        [one, other, ..] => one
+            .strip_suffix("to")
+            .map(|from| (between_frames(from, other), 2)),
+        [one] => {
+            let pair = one
+                .split_at_checked(1)
+                .filter(|(first, _)| is_operator(first));
+            pair.map(|(_, pair)| (of_letters(pair), 1))
+        }
+        [] => None,
+    };
+    let (direction, length) = found?;
+    Some((direction?, length))
+}
+
+/// Two letters of frames, of which the second is turned in the first.
+fn of_letters(pair: &str) -> Option<LabelWord> {
+    let direction = match pair {
+        "wb" | "wc" | "wi" => Direction::BodyToWorld,
+        "bw" | "cw" | "iw" => Direction::WorldToBody,
+        _ => return None,
+    };
+    Some(LabelWord::Direction(direction))
 }
 
 /// What a label names in place of a rotation, where it does.
@@ -192,7 +229,7 @@ pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
 /// The words of labels that are read without the feature `whole`.
 const PLAIN: &str = "q quat quaternion quaternions rotation rot r m n u v w x y z qw qx qy qz orientation \
     pose attitude rpy ypr euler angle angles axis roll pitch yaw heading rotvec rvec vector gibbs mrp mrps \
-    rodrigues parameters modified half halfangle axisangle axang matrix dcm rotmat imu body sensor camera \
+    rodrigues parameters modified half halfangle axisangle axang matrix dcm rotmat \
     unit units degrees deg radians rad order format sequence seq intrinsic extrinsic fixed rotating \
     moving double float const auto eigen quaterniond quaternionf matrix3d xyzw wxyz";
 
@@ -293,6 +330,11 @@ mod tests {
         assert_eq!(first("world_to_body"), Some(Leads(Direction::WorldToBody)));
         assert_eq!(first("worldFromCam"), Some(Leads(Direction::BodyToWorld)));
         assert_eq!(first("c2w"), Some(Leads(Direction::BodyToWorld)));
+        assert_eq!(first("GtoI"), Some(Leads(Direction::WorldToBody)));
+        assert_eq!(first("R_world_cam"), Some(Leads(Direction::BodyToWorld)));
+        assert_eq!(first("body_q_world"), Some(Leads(Direction::WorldToBody)));
+        assert_eq!(first("R_WB"), Some(Leads(Direction::BodyToWorld)));
+        assert_eq!(first("Rcw"), Some(Leads(Direction::WorldToBody)));
         assert_eq!(first("body_to_camera"), None);
         assert_eq!(first("qdot"), Some(Made(Derived::Rate)));
         assert_eq!(first("R_t"), Some(Made(Derived::Transposed)));

@@ -31,6 +31,9 @@ mod plain_numbers;
 // What one attitude means.
 pub(crate) mod read;
 
+// The numbers of records that have no quaternion.
+mod record_numbers;
+
 /// From one end of a translation to the other.
 pub mod translate;
 

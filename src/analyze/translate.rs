@@ -4,6 +4,7 @@ use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
 use crate::analyze::plain_numbers::{plain, rows3};
+use crate::analyze::record_numbers;
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
     AxesReport, Change, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind,
@@ -106,8 +107,9 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     })
 }
 
-/// The attitude that a text holds at the first end. Plain numbers stand in the order of the array; the
-/// arguments of a call stand in that of the constructor, which may be another one.
+/// The attitude that a text holds at the first end. The numbers of a record without a quaternion are its
+/// own. Plain numbers stand in the order in which they are
+/// printed; the arguments of a call stand in that of the constructor, which may be another one.
 fn attitude(
     text: &str,
     from: &Meaning,
@@ -120,6 +122,15 @@ fn attitude(
         },
         matrix: from.matrix_convention(),
     };
+    if let Some(words) = record_numbers::in_words(text, from) {
+        let read = Attitude::of_text(&words, Field::Quaternion, declared(from.order));
+        // The words are not what was typed, so no place in them is.
+        return read.map_err(|problem| Problem {
+            span: Span::of_trimmed(text),
+            suggestion: None,
+            ..problem
+        });
+    }
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);
     let is_settled = match &read {
@@ -244,6 +255,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
         direction: meaning.direction,
         family: meaning.family(),
         first_to_act: meaning.first_to_act(),
+        numbers: record_numbers::written(rotation, meaning),
         matrix: meaning.matrix.map(|printed| PrintedMatrix {
             rows: rows3(&rotation.matrix(meaning.direction_of(printed.form))),
             form: printed.form,

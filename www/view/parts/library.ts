@@ -35,9 +35,10 @@ export function endName(end: Endpoint, engine: Engine): string {
   return nameOf(end.convention, engine) ?? customConvention;
 }
 
-/** The orders in which four numbers of a library stand: one, two, or none that is established. */
+/** The orders in which four numbers of a library stand, the usual one first: one, two, or none that is established. */
 export function ordersOf(library: Library): ComponentOrder[] {
-  return [...new Set([library.arrayOrder, library.constructorOrder])].filter(
+  const { printedOrder, arrayOrder, constructorOrder } = library;
+  return [...new Set([printedOrder, arrayOrder, constructorOrder])].filter(
     (order) => order !== undefined,
   );
 }

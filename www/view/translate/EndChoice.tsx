@@ -121,7 +121,7 @@ function DirectionChoice({
   );
 }
 
-/** Where an array and a constructor differ, or neither is known, people say which they mean. */
+/** Where what is printed, an array and a constructor differ, or none is known, people say which they mean. */
 function OrderChoice({
   end,
   library,
@@ -137,6 +137,7 @@ function OrderChoice({
   const usual = orders[0] ?? "scalar-last";
   const reason = (order: string): string | undefined => {
     if (orders.length === 0) return order === usual ? words.assumed : undefined;
+    if (order === library.printedOrder) return words.printed;
     if (order === library.arrayOrder) return words.ofArray;
     return order === library.constructorOrder ? words.ofConstructor : undefined;
   };

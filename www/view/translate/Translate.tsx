@@ -181,9 +181,21 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
+      <AsPrinted report={report} store={store} />
       <Notes notes={report.notes} store={store} />
     </div>
   );
+}
+
+/** That bare numbers stand as the library prints them, where it stores them otherwise. */
+function AsPrinted({ report, store }: { report: TranslateReport; store: Store }) {
+  const { from, quaternion } = report;
+  const library = libraryWith(store.engine, from.library);
+  const { printedOrder, arrayOrder } = library ?? {};
+  const isBare = quaternion.form.kind === "quaternion" && quaternion.orderSource === "declared";
+  if (!library || !printedOrder || !arrayOrder || !isBare || from.order !== printedOrder)
+    return null;
+  return <p>{words.asPrinted(library.name, printedOrder, arrayOrder)}</p>;
 }
 
 function Result({

@@ -9,6 +9,7 @@ export const documented = "documented";
 export const assumed = "assumed";
 export const customary = "customary";
 export const order = "Its numbers stand as";
+export const printed = "as it prints them";
 export const ofArray = "its array";
 export const ofConstructor = "its constructor";
 export const five = "The five axes";

@@ -24,6 +24,8 @@ export const exampleNames = {
 export const readAs = "Read as";
 export const looksLike = (name: string) => `This looks like ${name}:`;
 export const translateFrom = (name: string) => `translate from ${name}`;
+export const asPrinted = (name: string, printed: ComponentOrder, stored: ComponentOrder) =>
+  `${name} prints ${lettersOf[printed]} and stores ${lettersOf[stored]}: read as printed.`;
 export const components = (name: string, order: ComponentOrder) =>
   `q of ${name} as ${lettersOf[order]}`;
 export const yours = "Your convention";

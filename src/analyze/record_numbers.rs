@@ -9,6 +9,7 @@ use crate::convention::euler_sequence::EulerSequence;
 use crate::decimal::{literal, nearest_double};
 use crate::library::endpoint::Meaning;
 use crate::library::{RecordNumbers, RecordNumbersKind};
+use crate::problem::{Problem, Span};
 use crate::rotation::Rotation;
 use nalgebra::Vector3;
 
@@ -57,6 +58,15 @@ pub(crate) fn in_words(text: &str, meaning: &Meaning) -> Option<String> {
         });
     }
     Some(words)
+}
+
+/// A problem of the words, said of all that was typed: no place in them is one of it.
+pub(crate) fn about_all(problem: Problem, typed: &str) -> Problem {
+    Problem {
+        span: Span::of_trimmed(typed),
+        suggestion: None,
+        ..problem
+    }
 }
 
 /// What an end writes for an attitude where that is no quaternion.

@@ -124,12 +124,7 @@ fn attitude(
     };
     if let Some(words) = record_numbers::in_words(text, from) {
         let read = Attitude::of_text(&words, Field::Quaternion, declared(from.order));
-        // The words are not what was typed, so no place in them is.
-        return read.map_err(|problem| Problem {
-            span: Span::of_trimmed(text),
-            suggestion: None,
-            ..problem
-        });
+        return read.map_err(|problem| record_numbers::about_all(problem, text));
     }
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);
@@ -299,13 +294,17 @@ fn change_between(from: &Meaning, to: &Meaning) -> Change {
     }
 }
 
-/// What comes of the numbers when a step is left out, or a conjugation done that is not needed.
+/// What comes of the numbers when a step is left out, or a conjugation done that is not needed; nothing
+/// where an end has no four numbers.
 fn mistakes(
     from: &Meaning,
     to: &Meaning,
     right: &TaggedQuaternion,
     rotation: &Rotation,
 ) -> Vec<Mistake> {
+    if !(from.has_quaternion() && to.has_quaternion()) {
+        return Vec::new();
+    }
     let not_reordered = |numbers: &TaggedQuaternion| {
         // As they stood at the first end, in places that are those of the other order.
         let array = from.order.array(numbers.to_array());

@@ -97,6 +97,11 @@ pub(crate) struct PrintedAs {
 }
 
 impl Meaning {
+    /// Whether four numbers stand for an attitude here.
+    pub(crate) fn has_quaternion(&self) -> bool {
+        self.library.is_none_or(|library| library.numbers.is_none())
+    }
+
     /// How product and action belong together, where the product is established.
     pub(crate) fn family(&self) -> Option<Family> {
         Some(Family::of(self.handedness?, self.action))

@@ -1,7 +1,8 @@
 //! What libraries do with four numbers, and how that is known.
 //!
-//! One record is one library in one version, or one face of a library that has several. The records are
-//! in `libraries.json`; what was run has its numbers in `observations.json`, and tests compute them
+//! One record is one library in one version, or one face of a library that has several; or a format, or a
+//! device, which may have angles, a vector or a matrix in the place of a quaternion. The records are in
+//! `libraries.json`; what was run has its numbers in `observations.json`, and tests compute them
 //! again. What is not established is left out, and never guessed.
 //!
 //! A record says more than the five axes of a [`Convention`](crate::Convention). Libraries of
@@ -106,7 +107,8 @@ pub struct Library {
     pub constructor_order: Option<ComponentOrder>,
     /// Its product: right is Hamilton's, left is Shuster's.
     pub handedness: Option<Handedness>,
-    /// What its call that rotates a vector multiplies the vector with: `R(q)` or `C(q)`.
+    /// What its call that rotates a vector multiplies the vector with: `R(q)` or `C(q)`; of a format or a
+    /// device, what its quaternion stands for.
     pub rotate: Option<CosineMatrix>,
     /// What its matrix of a quaternion is, as printed row by row.
     pub matrix: Option<CosineMatrix>,

@@ -13,7 +13,9 @@ import {
   customConvention,
   familyWords,
   groupNames,
+  kindNames,
   knownWords,
+  numbersWords,
 } from "../../words/library_behaviour.ts";
 import { nameOf } from "./convention_names.ts";
 
@@ -28,6 +30,10 @@ export function accentOf(family: Family | undefined): "hamilton" | "jpl" | "cust
 export function libraryWith(engine: Engine, id: string | undefined): Library | undefined {
   return engine.libraries.find((library) => library.id === id);
 }
+
+/** Whether a record is of a library with quaternions, which has calls to be asked about. */
+export const isLibrary = ({ kind, numbers }: Library) =>
+  kind === undefined && numbers === undefined;
 
 /** What an end is called. */
 export function endName(end: Endpoint, engine: Engine): string {
@@ -50,11 +56,15 @@ export function establishedOf(described: LibraryDescription | undefined) {
   return { action, family, first: firstToAct };
 }
 
-/** `x y z w, Hamilton · 1.17.1, run`. */
+/** `x y z w, Hamilton · 1.17.1, run`, `device, A B C in degrees · third parties, documented`. */
 export function aboutLibrary(library: Library, engine: Engine): string {
+  const { kind, numbers } = library;
   const { family } = establishedOf(engine.describeLibrary(library.id));
   const orders = ordersOf(library).map((order) => lettersOf[order]);
-  const behaviour = [orders.join(" / "), family && familyWords[family][0]].filter(Boolean);
+  const written = numbers ? numbersWords(numbers) : orders.join(" / ");
+  const behaviour = [kind && kindNames[kind], written, family && familyWords[family][0]].filter(
+    Boolean,
+  );
   const known = `${library.version}, ${knownWords[library.known][0]}`;
   return behaviour.length === 0 ? known : `${behaviour.join(", ")} · ${known}`;
 }

@@ -55,7 +55,7 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
           </p>
           <div class="end-choices">
             <DirectionChoice store={store} end={end} library={library} set={set} />
-            <OrderChoice end={end} library={library} set={set} />
+            {library.numbers === undefined && <OrderChoice end={end} library={library} set={set} />}
           </div>
         </>
       )}
@@ -108,7 +108,7 @@ function DirectionChoice({
     <Choice
       kind="segments"
       group={group}
-      legend={words.takes(usual.action)}
+      legend={library.numbers ? words.numbersTake : words.takes(usual.action)}
       values={directionValues.map((direction) => ({
         value: direction,
         words: <Noted word={arrowOf(direction)} note={reason(direction)} />,

@@ -4,6 +4,8 @@ export const side = { from: "From", to: "To" };
 export const record = "its record";
 export const takes = (action: string) => `Its ${action}(q) takes`;
 
+export const numbersTake = "Its rotation takes";
+
 /** How a direction is known. */
 export const documented = "documented";
 export const assumed = "assumed";

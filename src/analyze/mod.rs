@@ -38,6 +38,9 @@ pub(crate) mod read;
 #[cfg(feature = "whole")]
 mod record;
 
+// The numbers of records that have no quaternion.
+mod record_numbers;
+
 /// From one end of a translation to the other.
 pub mod translate;
 

@@ -4,6 +4,7 @@ use crate::analyze::attitude::{Attitude, Declared, DeclaredLibrary};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
 use crate::analyze::plain_numbers::{plain, rows3};
+use crate::analyze::record_numbers;
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
     AxesReport, Change, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind,
@@ -103,8 +104,9 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     })
 }
 
-/// The attitude that a text holds at the first end. Plain numbers stand in the order of the array; the
-/// arguments of a call stand in that of the constructor, which may be another one.
+/// The attitude that a text holds at the first end. The numbers of a record without a quaternion are its
+/// own. Plain numbers stand in the order in which they are
+/// printed; the arguments of a call stand in that of the constructor, which may be another one.
 fn attitude(
     text: &str,
     from: &Meaning,
@@ -123,6 +125,10 @@ fn attitude(
                 .map_or(VectorLayout::Column, |printed| printed.vectors),
         }),
     };
+    if let Some(words) = record_numbers::in_words(text, from) {
+        let read = Attitude::of_text(&words, Field::Quaternion, declared(from.order));
+        return read.map_err(|problem| record_numbers::about_all(problem, text));
+    }
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
     let read = in_order(from.order);
     let is_settled = match &read {
@@ -249,6 +255,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
         direction: meaning.direction,
         family: meaning.family(),
         first_to_act: meaning.first_to_act(),
+        numbers: record_numbers::written(rotation, meaning),
         matrix: meaning.matrix.map(|printed| PrintedMatrix {
             rows: rows3(&rotation.matrix(meaning.direction_of(printed.form))),
             form: printed.form,
@@ -292,13 +299,17 @@ fn change_between(from: &Meaning, to: &Meaning) -> Change {
     }
 }
 
-/// What comes of the numbers when a step is left out, or a conjugation done that is not needed.
+/// What comes of the numbers when a step is left out, or a conjugation done that is not needed; nothing
+/// where an end has no four numbers.
 fn mistakes(
     from: &Meaning,
     to: &Meaning,
     right: &TaggedQuaternion,
     rotation: &Rotation,
 ) -> Vec<Mistake> {
+    if !(from.has_quaternion() && to.has_quaternion()) {
+        return Vec::new();
+    }
     let not_reordered = |numbers: &TaggedQuaternion| {
         // As they stood at the first end, in places that are those of the other order.
         let array = from.order.array(numbers.to_array());

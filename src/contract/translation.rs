@@ -2,14 +2,15 @@
 
 use crate::contract::attitude::{Components, ReadQuaternion, Turn};
 use crate::contract::note::Note;
+use crate::convention::angle::AngleUnit;
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
 use crate::convention::{ComponentSign, Convention, Direction, Handedness};
 use crate::frames::axis_mapping::{AxesHand, AxisMapping};
-use crate::library::VectorLayout;
 use crate::library::endpoint::Assumption;
+use crate::library::{RecordNumbersKind, VectorLayout};
 use serde::{Deserialize, Serialize};
 
 /// One attitude at both ends of a translation.
@@ -70,6 +71,9 @@ pub struct TranslatedEnd {
     /// The operand of `a * b` that acts first on a vector; absent where the product is not
     /// established.
     pub first_to_act: Option<Side>,
+    /// What this end writes for the attitude, where that is no quaternion. The four numbers are then none
+    /// of its own, but those of the same turn by `R(q)`.
+    pub numbers: Option<EndNumbers>,
     /// The matrix as this end prints it; absent where that is not established.
     pub matrix: Option<PrintedMatrix>,
     /// The line of code that makes the quaternion, with all digits; absent for a convention.
@@ -80,6 +84,20 @@ pub struct TranslatedEnd {
     pub assumed: Vec<Assumption>,
 }
 
+/// What an end writes for an attitude, where that is no quaternion.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct EndNumbers {
+    /// What they are.
+    pub kind: RecordNumbersKind,
+    /// What they are called, in their order, with spaces between; absent where they have no names.
+    pub names: Option<String>,
+    /// The numbers in their order; of a matrix nine of them, row by row.
+    pub values: Vec<f64>,
+    /// The unit of the angles among them.
+    pub unit: Option<AngleUnit>,
+}
+
 /// What a library does by itself, whatever the attitude.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -88,7 +106,7 @@ pub struct LibraryDescription {
     /// The convention that its numbers follow: order, direction, and the hand that belongs to what the
     /// quaternion does to a vector.
     pub convention: Convention,
-    /// The order of its array.
+    /// The order of its numbers: as it prints them, or else that of its array.
     pub order: ComponentOrder,
     /// What the quaternion multiplies a column vector with when it acts: `R(q)` or `C(q)`.
     pub action: CosineMatrix,

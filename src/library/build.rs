@@ -12,8 +12,8 @@ use std::{env, fs, io};
 mod choices;
 
 use choices::{
-    AxisAngleSign, Group, HalfTurns, Known, Language, NonUnitResult, SignChoice, SlerpWay,
-    VectorLayout, ZeroResult,
+    AxisAngleSign, Group, HalfTurns, Known, Language, NonUnitResult, RecordKind, RecordNumbersKind,
+    SignChoice, SlerpWay, VectorLayout, ZeroResult,
 };
 
 const JSON: &str = "src/library/libraries.json";
@@ -67,6 +67,12 @@ impl<Inner: InRust> InRust for Option<Inner> {
     }
 }
 
+impl<Inner: InRust> InRust for Box<Inner> {
+    fn in_rust(&self) -> String {
+        format!("&{}", (**self).in_rust())
+    }
+}
+
 impl<Inner: InRust> InRust for Vec<Inner> {
     fn in_rust(&self) -> String {
         let values: Vec<String> = self.iter().map(InRust::in_rust).collect();
@@ -85,6 +91,7 @@ macro_rules! choices {
 }
 
 choices!(
+    AngleUnit,
     ComponentOrder,
     Handedness,
     CosineMatrix,
@@ -92,9 +99,11 @@ choices!(
     AxisAngleSign,
     Group,
     HalfTurns,
+    RecordKind,
     Known,
     Language,
     NonUnitResult,
+    RecordNumbersKind,
     SignChoice,
     SlerpWay,
     VectorLayout,
@@ -102,6 +111,13 @@ choices!(
 );
 
 // Of the room `convention`.
+
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum AngleUnit {
+    Degrees,
+    Radians,
+}
 
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -158,17 +174,21 @@ record!(Library {
     name: String,
     #[serde(default)]
     words: Vec<String>,
+    kind: Option<RecordKind>,
     group: Group,
     language: Language,
     version: String,
     known: Known,
     array_order: Option<ComponentOrder>,
+    printed_order: Option<ComponentOrder>,
+    numbers: Option<Box<RecordNumbers>>,
     constructor_order: Option<ComponentOrder>,
     handedness: Option<Handedness>,
     rotate: Option<CosineMatrix>,
     matrix: Option<CosineMatrix>,
     vectors: Option<VectorLayout>,
     direction: Option<Direction>,
+    axes: Option<String>,
     #[serde(default)]
     euler: Vec<EulerCall>,
     axis_angle: Option<AxisAngleSign>,
@@ -185,6 +205,14 @@ record!(Library {
     calls: Option<String>,
     source: Option<Source>,
     note: Option<String>,
+    doubt: Option<String>,
+});
+
+record!(RecordNumbers {
+    kind: RecordNumbersKind,
+    names: Option<String>,
+    means: Option<String>,
+    unit: Option<AngleUnit>,
 });
 
 record!(EulerCall {

@@ -4,6 +4,17 @@
 
 use serde::{Deserialize, Serialize};
 
+/// What a record is of, where that is no library.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum RecordKind {
+    /// A file, a message, a notation.
+    Format,
+    /// A device, or the controller of one.
+    Device,
+}
+
 /// The field a library comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -64,6 +75,21 @@ pub enum Known {
     Read,
     /// Its documentation says so.
     Documented,
+}
+
+/// What a rotation is written as, where that is no quaternion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
+pub enum RecordNumbersKind {
+    /// Three angles about axes.
+    EulerAngles,
+    /// Three numbers: the axis times the angle.
+    RotationVector,
+    /// Four numbers: a unit axis, and then the angle.
+    AxisAngle,
+    /// The nine numbers of a matrix, perhaps with a translation beside them.
+    Matrix,
 }
 
 /// Which vectors a library's matrices are for.

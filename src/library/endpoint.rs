@@ -25,8 +25,8 @@ pub enum Endpoint {
 pub struct LibraryEndpoint {
     /// The id of its record.
     pub id: String,
-    /// The order in which the numbers stand, where it is not that of the array; also in a line of code
-    /// that is nothing but an array.
+    /// The order in which the numbers stand, where it is not that in which the library prints them or
+    /// else of its array; also in a line of code that is nothing but an array.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub order: Option<ComponentOrder>,
     /// Which coordinates to which the quaternion takes when it acts. Where it is left out, it is
@@ -97,6 +97,11 @@ pub(crate) struct PrintedAs {
 }
 
 impl Meaning {
+    /// Whether four numbers stand for an attitude here.
+    pub(crate) fn has_quaternion(&self) -> bool {
+        self.library.is_none_or(|library| library.numbers.is_none())
+    }
+
     /// How product and action belong together, where the product is established.
     pub(crate) fn family(&self) -> Option<Family> {
         Some(Family::of(self.handedness?, self.action))
@@ -139,12 +144,14 @@ impl Meaning {
         let mut libraries = essentials().iter();
         let library = libraries.find(|library| library.id == endpoint.id)?;
         let mut assumed = Vec::new();
+        // A record without a quaternion leaves nothing open of one: that of its numbers is by R(q).
+        let has_quaternion = library.numbers.is_none();
         let order = endpoint.order.or(library.order()).unwrap_or_else(|| {
-            assumed.push(Assumption::Order);
+            assumed.extend(has_quaternion.then_some(Assumption::Order));
             ComponentOrder::ScalarLast
         });
         let action = library.action().unwrap_or_else(|| {
-            assumed.push(Assumption::Action);
+            assumed.extend(has_quaternion.then_some(Assumption::Action));
             CosineMatrix::Hamilton
         });
         let customary = match action {

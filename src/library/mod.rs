@@ -1,7 +1,8 @@
 //! What libraries do with four numbers, and how that is known.
 //!
-//! One record is one library in one version, or one face of a library that has several. The records are
-//! in `libraries.json`; what was run has its numbers in `observations.json`, and tests compute them
+//! One record is one library in one version, or one face of a library that has several; or a format, or a
+//! device, which may have angles, a vector or a matrix in the place of a quaternion. The records are in
+//! `libraries.json`; what was run has its numbers in `observations.json`, and tests compute them
 //! again. What is not established is left out, and never guessed.
 //!
 //! A record says more than the five axes of a [`Convention`](crate::Convention). Libraries of
@@ -16,6 +17,7 @@ mod choices;
 /// One end of a translation.
 pub mod endpoint;
 
+use crate::convention::angle::AngleUnit;
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
 use crate::convention::order::ComponentOrder;
@@ -24,8 +26,8 @@ use crate::convention::{Direction, Handedness};
 use serde::{Deserialize, Serialize};
 
 pub use crate::library::choices::{
-    AxisAngleSign, Group, HalfTurns, Known, Language, NonUnitResult, SignChoice, SlerpWay,
-    VectorLayout, ZeroResult,
+    AxisAngleSign, Group, HalfTurns, Known, Language, NonUnitResult, RecordKind, RecordNumbersKind,
+    SignChoice, SlerpWay, VectorLayout, ZeroResult,
 };
 
 /// Written by `build.rs` from `libraries.json`.
@@ -71,7 +73,7 @@ pub(crate) fn essentials() -> &'static [Essentials] {
     &ESSENTIALS
 }
 
-/// One library in one version.
+/// One library in one version; or a format, or a device.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
@@ -84,6 +86,8 @@ pub struct Library {
     // In TypeScript a member with a default may be missing, as it may in the file.
     #[serde(default)]
     pub words: &'static [&'static str],
+    /// What it is a record of, where that is no library.
+    pub kind: Option<RecordKind>,
     /// The field it comes from.
     pub group: Group,
     /// The language of its lines of code.
@@ -92,20 +96,29 @@ pub struct Library {
     pub version: &'static str,
     /// How all this is known.
     pub known: Known,
-    /// The order of its array: in memory, in messages, as printed.
+    /// The order of its array: in memory, in messages, as printed where nothing else is said.
     pub array_order: Option<ComponentOrder>,
+    /// The order in which it prints four numbers without their names, where that is not the order of
+    /// the array.
+    pub printed_order: Option<ComponentOrder>,
+    /// What it writes for a rotation, where that is no quaternion.
+    pub numbers: Option<&'static RecordNumbers>,
     /// The order in which its constructor takes four numbers.
     pub constructor_order: Option<ComponentOrder>,
     /// Its product: right is Hamilton's, left is Shuster's.
     pub handedness: Option<Handedness>,
-    /// What its call that rotates a vector multiplies the vector with: `R(q)` or `C(q)`.
+    /// What its call that rotates a vector multiplies the vector with: `R(q)` or `C(q)`; of a format or a
+    /// device, what its quaternion stands for.
     pub rotate: Option<CosineMatrix>,
     /// What its matrix of a quaternion is, as printed row by row.
     pub matrix: Option<CosineMatrix>,
     /// Which vectors its matrices are for.
     pub vectors: Option<VectorLayout>,
-    /// From which frame to which its quaternion leads, where its documentation says so.
+    /// From which frame to which its quaternion leads, or else its [`RecordNumbers`], where that is known. A
+    /// camera, a tool, a sensor, a crystal is a body; the scene, the base, the specimen is the world.
     pub direction: Option<Direction>,
+    /// Which axes its numbers are for, where they are its own: their hand, and where they point.
+    pub axes: Option<&'static str>,
     /// Its calls with Euler angles, the usual one first.
     #[serde(default)]
     pub euler: &'static [EulerCall],
@@ -133,6 +146,25 @@ pub struct Library {
     pub source: Option<Source>,
     /// What surprises people.
     pub note: Option<&'static str>,
+    /// What is uncertain of it, and why.
+    pub doubt: Option<&'static str>,
+}
+
+/// The numbers that stand for a rotation where no quaternion does.
+///
+/// They say the rotation that takes the coordinates of [`Library::direction`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RecordNumbers {
+    /// What they are.
+    pub kind: RecordNumbersKind,
+    /// What they are called, in their order, with spaces between.
+    pub names: Option<&'static str>,
+    /// Of three angles a, b, c in their order: the rotation for column vectors as a product, as
+    /// [`EulerCall::means`] has it.
+    pub means: Option<&'static str>,
+    /// The unit of its angles.
+    pub unit: Option<AngleUnit>,
 }
 
 /// What a library does with a quaternion of norm 2.
@@ -220,8 +252,11 @@ pub struct Source {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Essentials {
     pub(crate) id: &'static str,
+    pub(crate) kind: Option<RecordKind>,
     pub(crate) language: Language,
     pub(crate) array_order: Option<ComponentOrder>,
+    pub(crate) printed_order: Option<ComponentOrder>,
+    pub(crate) numbers: Option<&'static RecordNumbers>,
     pub(crate) constructor_order: Option<ComponentOrder>,
     pub(crate) handedness: Option<Handedness>,
     pub(crate) rotate: Option<CosineMatrix>,
@@ -239,8 +274,11 @@ impl Library {
     pub(crate) const fn essentials(&self) -> Essentials {
         Essentials {
             id: self.id,
+            kind: self.kind,
             language: self.language,
             array_order: self.array_order,
+            printed_order: self.printed_order,
+            numbers: self.numbers,
             constructor_order: self.constructor_order,
             handedness: self.handedness,
             rotate: self.rotate,
@@ -256,7 +294,17 @@ impl Library {
         }
     }
 
-    /// The order in which its numbers are usually met: that of the array, or else of the constructor.
+    /// The order in which its numbers are usually met: as it prints them, or else that of the array, or
+    /// else of the constructor.
+    ///
+    /// ```
+    /// use quatlas::{ComponentOrder, library};
+    ///
+    /// // In a USD file the scalar stands first, in the memory of a Gf.Quatd last.
+    /// let usd = library("usd").unwrap();
+    /// assert_eq!(usd.array_order, Some(ComponentOrder::ScalarLast));
+    /// assert_eq!(usd.order(), Some(ComponentOrder::ScalarFirst));
+    /// ```
     #[must_use]
     pub fn order(&self) -> Option<ComponentOrder> {
         self.essentials().order()
@@ -285,7 +333,9 @@ impl Library {
 impl Essentials {
     /// [`Library::order`]
     pub(crate) fn order(&self) -> Option<ComponentOrder> {
-        self.array_order.or(self.constructor_order)
+        self.printed_order
+            .or(self.array_order)
+            .or(self.constructor_order)
     }
 
     /// [`Library::action`]

@@ -47,6 +47,52 @@ test("is searched by typing, and said", async ({ page }) => {
   await expect(page.getByRole("searchbox")).toHaveValue("");
 });
 
+test("formats and devices are found by what people call them, and say what they are", async ({
+  page,
+}) => {
+  await page.goto("/#libraries");
+  const find = page.getByRole("searchbox", { name: "Find a library" });
+  const rows = page.locator(".library-row th");
+  for (const [typed, name] of [
+    ["tum", "TUM RGB-D trajectoryformat"],
+    ["images.txt", "COLMAP images.txtformat"],
+    ["kuka", "KUKA A, B, Cdevice"],
+    ["xsens", "Xsens MTidevice"],
+    ["solvePnP", "OpenCV rvec, tveclibrary"],
+    ["urscript", "Universal Robots Rx, Ry, Rzdevice"],
+  ] as const) {
+    await find.fill(typed);
+    await expect(rows.first()).toHaveText(name);
+  }
+  await find.fill("left-handed");
+  await expect(rows).toHaveText([
+    "Unity.Mathematics quaternion",
+    "Unity Quaternion",
+    "Unreal Engine FQuat",
+    "CARLA Rotationlibrary",
+  ]);
+});
+
+test("a record without a quaternion says what it writes, and what is not certain", async ({
+  page,
+}) => {
+  await page.goto("/#libraries?library=staubli-rxryrz");
+  const row = page.getByRole("row", { name: /^Stäubli/ });
+  await expect(row.getByRole("cell")).toHaveText([
+    "third parties",
+    "documented",
+    "rx ry rz in degrees",
+    "Rx(rx) Ry(ry) Rz(rz)",
+    /not established/,
+    "",
+    "Euler angles",
+  ]);
+  const record = page.getByRole("article", { name: /^The record of Stäubli/ });
+  await expect(record).toContainText("Not certain: An answer in a forum has the other order.");
+  // Of a controller nothing is asked that only calls of a library answer.
+  await expect(record.getByText("slerp")).toHaveCount(0);
+});
+
 test("a record is opened by keyboard, and its numbers are loaded only then", async ({ page }) => {
   const loaded: string[] = [];
   page.on("request", (request) => loaded.push(request.url()));
@@ -102,8 +148,8 @@ test("the list is one stop of the Tab key: arrows lead through it, Enter opens",
   await page.keyboard.press("Tab");
   await expect(page.locator(".libraries :focus")).toHaveCount(0);
   // Where the library is not found any more, the Tab key reaches the first one that is.
-  await page.getByRole("searchbox").fill("openvins");
-  await expect(links).toHaveText(["OpenVINS"]);
+  await page.getByRole("searchbox").fill("minkindr");
+  await expect(links).toHaveText(["minkindr"]);
   await expect(links).toHaveAttribute("tabindex", "0");
 });
 
@@ -138,8 +184,9 @@ for (const width of [320, 360, 390, 768]) {
       expect(cells, `${name}`).toBeGreaterThanOrEqual(3);
       expect(beyond, `${name}`).toBeLessThanOrEqual(0);
     }
-    // 18 317 px at 390 px, as cards.
-    expect(await page.evaluate(() => document.body.scrollHeight)).toBeLessThan(5_000);
+    // As cards 97 of them took 18 317 px at 390 px; this much and the groups is what lines take.
+    const most = rows.length * 42 + 900;
+    expect(await page.evaluate(() => document.body.scrollHeight)).toBeLessThan(most);
     const row = page.locator("#library-eigen");
     await expect(row.locator("td:visible").first()).toHaveText("x y z w");
     await expect(row.locator("strong:visible")).toHaveText("w x y z");
@@ -168,20 +215,24 @@ test("a record leads to its translation and back", async ({ page }) => {
   await expect(page.getByRole("article", { name: "The record of Ceres" })).toBeVisible();
 });
 
-test("every record can be opened", async ({ page }) => {
-  await page.goto("/#libraries");
-  await expect(page.locator(".library-row").first()).toBeVisible();
-  const links = await page.locator(".library-row a").all();
-  const hrefs = await Promise.all(links.map((link) => link.getAttribute("href")));
-  for (const href of hrefs) {
-    await page.evaluate((address) => {
-      location.hash = address;
-    }, href ?? "");
-    await expect(page.locator(".record")).toBeVisible();
-    const text = await page.locator(".record").innerText();
-    expect(text).not.toMatch(/undefined|null\b|\{[wxyz]\}|\[object/);
-  }
-});
+for (const third of [0, 1, 2]) {
+  test(`every record can be opened, third ${third + 1} of 3`, async ({ page }) => {
+    await page.goto("/#libraries");
+    await expect(page.locator(".library-row").first()).toBeVisible();
+    const hrefs = await page
+      .locator(".library-row a")
+      .evaluateAll((links) => links.map((link) => link.getAttribute("href")));
+    expect(hrefs.length).toBeGreaterThan(160);
+    for (const href of hrefs.filter((_, at) => at % 3 === third)) {
+      await page.evaluate((address) => {
+        location.hash = address;
+      }, href ?? "");
+      await expect(page.locator(".record")).toBeVisible();
+      const text = await page.locator(".record").innerText();
+      expect(text).not.toMatch(/undefined|null\b|\{[wxyz]\}|\[object/);
+    }
+  });
+}
 
 test("hostile addresses give the table", async ({ page }) => {
   for (const hostile of ["library=__proto__", "library=%00&find=%E0%A4%A", "find=(((&library="]) {

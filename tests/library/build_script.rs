@@ -45,8 +45,7 @@ fn what_is_missing_is_said_of_its_record() {
 #[test]
 fn a_record_is_written_with_what_it_leaves_out() {
     let written = in_rust(&format!("[{}]", ONE.replace("One", r#"\"O\u006ee\""#))).expect("right");
-    let expected =
-        r#"&[Library { id: "one", name: "\"One\"", words: &[], group: Group::Graphics, "#;
+    let expected = r#"&[Library { id: "one", name: "\"One\"", words: &[], kind: None, group: Group::Graphics, "#;
     assert!(written.starts_with(expected), "{written}");
     assert!(
         written.contains("rotate: None, matrix: None, "),

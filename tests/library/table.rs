@@ -1,7 +1,9 @@
 //! The table of libraries: it is whole, and says of itself what is true.
 
 use crate::recorded::{for_each, numbers, recorded};
-use quatlas::{ComponentOrder, Direction, Family, Known, Library, libraries, library};
+use quatlas::{
+    ComponentOrder, CosineMatrix, Direction, Family, Known, Library, libraries, library,
+};
 use serde_json::{Value, json};
 use std::collections::HashSet;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -92,8 +94,11 @@ fn the_counts_of_the_readme_are_true() {
         let libraries = libraries().iter();
         libraries.filter(|library| library.known == known).count()
     };
+    let of_libraries = libraries().iter().filter(|record| record.kind.is_none());
+    let of_libraries = of_libraries.count();
+    let others = libraries().len() - of_libraries;
     let sentences = [
-        format!("two of {} libraries", libraries().len()),
+        format!("two of {of_libraries} libraries and {others} formats and devices"),
         format!("{} were run", count(Known::Run)),
         format!("{} were read in their source", count(Known::Read)),
         format!("{} in their documentation", count(Known::Documented)),
@@ -168,6 +173,30 @@ fn what_people_look_for_is_there() {
         "DJI",
         "Android",
         "Apple",
+        "TUM",
+        "EuRoC",
+        "KITTI",
+        "COLMAP",
+        "ORB-SLAM",
+        "VINS",
+        "OpenCV",
+        "glTF",
+        "URDF",
+        "SDFormat",
+        "CARLA",
+        "AirSim",
+        "CCSDS",
+        "SPICE",
+        "KUKA",
+        "FANUC",
+        "ABB",
+        "Universal Robots",
+        "Staubli",
+        "Yaskawa",
+        "Xsens",
+        "VectorNav",
+        "MicroStrain",
+        "BNO055",
     ];
     for name in wanted {
         let lower = name.to_lowercase();
@@ -179,6 +208,63 @@ fn what_people_look_for_is_there() {
         };
         assert!(libraries().iter().any(is_named), "{name}");
     }
+}
+
+/// What engines and phones do was read: not their order alone.
+#[wasm_bindgen_test(unsupported = test)]
+fn engines_and_phones_are_whole() {
+    let of = |id: &str| library(id).expect(id);
+    for id in [
+        "unity",
+        "unreal",
+        "apple-simd",
+        "apple-core-motion",
+        "android-sensor",
+        "openxr",
+    ] {
+        let record = of(id);
+        assert_eq!(record.known, Known::Read, "{id}");
+        assert_eq!(
+            record.order().is_some(),
+            record.array_order.is_some(),
+            "{id}"
+        );
+        assert!(
+            record.array_order.is_some() && record.action().is_some(),
+            "{id}"
+        );
+        assert_eq!(record.direction.is_some(), id != "apple-simd", "{id}");
+    }
+    for id in ["unity", "unreal", "apple-simd"] {
+        assert_eq!(of(id).family(), Some(Family::Hamilton), "{id}");
+    }
+    // The matrix of the attitude of a phone leads to the phone, R of its quaternion to the world.
+    assert_eq!(
+        of("apple-core-motion").direction,
+        Some(Direction::WorldToBody)
+    );
+    assert_eq!(
+        of("apple-core-motion").action(),
+        Some(CosineMatrix::Shuster)
+    );
+    // The event of the sensor and the array that is made of it are in two orders.
+    let (event, array) = (of("android-rotation-vector"), of("android-sensor"));
+    assert_eq!(event.array_order, Some(ComponentOrder::ScalarLast));
+    assert_eq!(array.array_order, Some(ComponentOrder::ScalarFirst));
+    let left_handed = |library: &&Library| {
+        library
+            .axes
+            .is_some_and(|axes| axes.starts_with("left-handed"))
+    };
+    let ids: Vec<_> = libraries()
+        .iter()
+        .filter(left_handed)
+        .map(|library| library.id)
+        .collect();
+    assert_eq!(
+        ids,
+        ["unity-mathematics", "unity", "unreal", "carla-rotation"]
+    );
 }
 
 /// The families of the specification's survey, each with its libraries.

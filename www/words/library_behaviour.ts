@@ -1,13 +1,18 @@
 // What is said of the behaviour of libraries; the same in the picker, the table and the translation.
 import type {
+  AngleUnit,
   AxisAngleSign,
   Direction,
+  EndNumbers,
   Family,
   Group,
   HalfTurns,
   Known,
   Language,
   NonUnitResult,
+  RecordKind,
+  RecordNumbers,
+  RecordNumbersKind,
   SignChoice,
   SlerpWay,
   VectorLayout,
@@ -21,8 +26,41 @@ export const groupNames: Record<Group, string> = {
   graphics: "Graphics and games",
   aerospace: "Aircraft and spacecraft",
   mathematics: "Mathematics",
-  devices: "Devices and formats",
+  devices: "Formats and devices",
 };
+
+/** What a record is of, where that is no library. */
+export const kindNames: Record<RecordKind, string> = { format: "format", device: "device" };
+export const libraryKind = "library";
+
+/** What stands for a rotation where no quaternion does. */
+export const numbersNames: Record<RecordNumbersKind, string> = {
+  "euler-angles": "Euler angles",
+  "rotation-vector": "rotation vector",
+  "axis-angle": "axis and angle",
+  matrix: "matrix",
+};
+
+/** `A B C`, `rotation vector`; of angles with long names, what they are. */
+export function numbersCalled({ kind, names = "" }: RecordNumbers | EndNumbers): string {
+  return kind === "euler-angles" && hasShortNames(names) ? names : numbersNames[kind];
+}
+
+/** Whether names fit into a column: `roll pitch yaw` do. */
+export const hasShortNames = (names: string | undefined) =>
+  names !== undefined && names !== "" && names.length <= 14;
+
+export const inUnit = (unit: AngleUnit | undefined) => (unit === undefined ? "" : ` in ${unit}`);
+
+/** `A B C in degrees`, `rotation vector in radians`, `matrix`. */
+export const numbersWords = (numbers: RecordNumbers | EndNumbers) =>
+  numbersCalled(numbers) + inUnit(numbers.unit);
+
+/** How numbers make the rotation: `Rz(A) Ry(B) Rx(C)`, with the names that they have, or a, b, c. */
+export function meansWords({ means = "", names = "" }: Pick<RecordNumbers, "means" | "names">) {
+  const name = (letter: string) => names.split(" ")["abc".indexOf(letter)] || letter;
+  return means.replace(/[abc](?=\))/g, (letter) => name(letter)).replaceAll("-", "−");
+}
 
 export const languageNames: Record<Language, string> = {
   python: "Python",

@@ -293,10 +293,12 @@ fn labels(directions: &[Direction]) -> Vec<Labels> {
         .collect()
 }
 
-/// The records that agree, those that say most first.
+/// The records of libraries that agree, those that say most first. Formats and devices have no calls, and
+/// what has no quaternion agrees with everything.
 fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
     let found: Vec<LibraryMatch> = essentials()
         .iter()
+        .filter(|library| library.kind.is_none() && library.numbers.is_none())
         .filter(|library| {
             possible
                 .iter()

@@ -119,3 +119,15 @@ fn the_truth_is_among_what_remains_after_any_probes() {
         assert!(report.observations.iter().all(is_told), "{report:#?}");
     }
 }
+
+/// A file or a device has no calls to be asked about, and what has no quaternion would agree with all.
+#[wasm_bindgen_test(unsupported = test)]
+fn only_libraries_match() {
+    let found = identify(vec![]).libraries;
+    let ids: Vec<&str> = found.iter().map(|found| &*found.id).collect();
+    for library in libraries() {
+        let is_asked = library.kind.is_none() && library.numbers.is_none();
+        assert_eq!(ids.contains(&library.id), is_asked, "{}", library.id);
+    }
+    assert!(ids.contains(&"airsim-quaternionr") && !ids.contains(&"carla-rotation"));
+}

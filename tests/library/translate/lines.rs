@@ -1,6 +1,6 @@
 //! Lines of code at both ends: what one end writes, it reads, and problems stand where they were typed.
 
-use super::{TEXT, answer, between, end, problems, translate};
+use super::{TEXT, answer, between, end, problems, translate, with_quaternions};
 use crate::support::assert_close;
 use quatlas::{
     ComponentOrder, Direction, Endpoint, Fact, Field, Outcome, Problem, ProblemCode, Request, Span,
@@ -30,7 +30,7 @@ fn every_end_reads_the_line_that_it_writes() {
         Some(Direction::WorldToBody),
     ];
     let mut checked = 0;
-    for library in libraries() {
+    for library in with_quaternions() {
         for order in orders {
             for direction in directions {
                 let here = end(library.id, order, direction);
@@ -360,7 +360,7 @@ fn lists_that_may_be_columns_are_read_as_rows_and_that_is_said() {
 /// Every line of code that this core wrote is read back as the same attitude, at both ends.
 #[wasm_bindgen_test(unsupported = test)]
 fn every_line_of_code_is_read_back() {
-    for library in libraries() {
+    for library in with_quaternions() {
         let there = between(TEXT, "openvins", library.id);
         let line = there.to.construct.expect(library.id);
         for from in [library.id, "openvins"] {

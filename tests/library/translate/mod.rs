@@ -4,15 +4,35 @@ mod axes;
 mod ends;
 mod lines;
 mod mistakes;
+mod numbers;
+mod printed;
 #[cfg(not(target_arch = "wasm32"))]
 mod properties;
 
 use crate::simulated::active_matrix;
 use quatlas::nalgebra::Matrix3;
 use quatlas::{
-    ComponentOrder, CosineMatrix, Direction, Endpoint, LibraryEndpoint, Outcome, Problem, Request,
-    TranslateReport, TranslateRequest, TranslatedEnd, analyze,
+    ComponentOrder, CosineMatrix, Direction, Endpoint, Library, LibraryEndpoint, Outcome, Problem,
+    RecordNumbersKind, Request, TranslateReport, TranslateRequest, TranslatedEnd, analyze,
+    libraries,
 };
+
+/// The records at whose end four plain numbers are a quaternion.
+pub(super) fn with_plain_quaternions() -> impl Iterator<Item = &'static Library> {
+    let is_axis_and_angle = |library: &Library| {
+        let numbers = library.numbers;
+        numbers.is_some_and(|numbers| numbers.kind == RecordNumbersKind::AxisAngle)
+    };
+    let libraries = libraries().iter();
+    libraries.filter(move |library| !is_axis_and_angle(library))
+}
+
+/// The records that have a quaternion.
+pub(super) fn with_quaternions() -> impl Iterator<Item = &'static Library> {
+    libraries()
+        .iter()
+        .filter(|library| library.numbers.is_none())
+}
 
 pub(super) fn answer(request: TranslateRequest) -> Outcome {
     analyze(&Request::Translate(request))

@@ -4,7 +4,7 @@ import type { IdentifyReport, LibraryMatch } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/identify/matching_libraries.ts";
 import { knownWords } from "../../words/library_behaviour.ts";
-import { libraryWith } from "../parts/library.ts";
+import { isLibrary, libraryWith } from "../parts/library.ts";
 import "../parts/result.css";
 import "./matching_libraries.css";
 
@@ -25,7 +25,9 @@ export function MatchingLibraries({ store, report }: { store: Store; report: Ide
   const sayLittle = all.filter((match) => open(match) > mostOpen);
   return (
     <section class="fact matches" aria-labelledby="matches-name">
-      <h2 id="matches-name">{words.title(all.length, store.engine.libraries.length)}</h2>
+      <h2 id="matches-name">
+        {words.title(all.length, store.engine.libraries.filter(isLibrary).length)}
+      </h2>
       {all.length === 0 && <p>{words.none}</p>}
       <MatchList store={store} title={words.agree} matches={agree} />
       <MatchList store={store} title={words.leaveOpen} matches={leaveOpen} />

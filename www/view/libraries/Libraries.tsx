@@ -1,16 +1,23 @@
 // The Libraries view: what each library means by four numbers; a reference to link to.
-import type { ComponentChild } from "preact";
+import type { ComponentChildren } from "preact";
 import { useEffect, useId, useRef, useState } from "preact/hooks";
 import { toFragment } from "../../address/fragment.ts";
-import type { Group, Known, Library } from "../../engine.ts";
+import type { Group, Known, Library, RecordNumbers } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
 import { lettersOf } from "../../words/conventions.ts";
 import * as words from "../../words/libraries/libraries.tsx";
 import {
   familyWords,
   groupNames,
+  hasShortNames,
+  inUnit,
+  kindNames,
   knownWords,
+  libraryKind,
+  meansWords,
   notEstablished,
+  numbersCalled,
+  numbersNames,
   productWords,
 } from "../../words/library_behaviour.ts";
 import { aboutLibrary, accentOf, establishedOf, groups, ordersOf } from "../parts/library.ts";
@@ -21,7 +28,8 @@ import "../parts/ask.css";
 import "../parts/result.css";
 import "./libraries.css";
 
-const columns = words.columns;
+const columnOf = words.columns;
+const columns = Object.values(columnOf);
 
 export function Libraries({ store }: { store: Store }) {
   const { find, library: opened } = store.state.value;
@@ -227,12 +235,14 @@ function Row({
         >
           {library.name}
         </a>
+        {kindOf(library) && <span class="library-kind">{kindOf(library)}</span>}
       </th>
-      {cellsOf(library, store).map(({ content, line }, at) => (
+      {cellsOf(library, store).map(({ column, content, line, columns }) => (
         <td
-          key={columns[at + 1]}
+          key={column}
           class={line ? `line-cell line-${line}` : undefined}
-          data-label={columns[at + 1]}
+          colSpan={columns}
+          data-label={column}
         >
           {content ?? <NotEstablished />}
         </td>
@@ -241,8 +251,18 @@ function Row({
   );
 }
 
+/** What a record is of; libraries have no word but among formats. */
+function kindOf({ kind, group }: Library): string | undefined {
+  if (kind !== undefined) return kindNames[kind];
+  return group === "devices" ? libraryKind : undefined;
+}
+
 interface Cell {
-  content?: ComponentChild;
+  /** The head of its column. */
+  column: string;
+  /** How many columns it takes, where that is not one. */
+  columns?: number;
+  content?: ComponentChildren;
   /** Its place in the line that stands for the row on a phone; the others wait for the record. */
   line?: "order" | "other-order" | "product" | "matrix" | "family" | false | undefined;
 }
@@ -251,29 +271,33 @@ interface Cell {
 function cellsOf(library: Library, store: Store): Cell[] {
   const { family, first } = establishedOf(store.engine.describeLibrary(library.id));
   const accent = accentOf(family);
-  const { arrayOrder, constructorOrder, handedness, matrix, rotate, vectors } = library;
+  const { arrayOrder, constructorOrder, handedness, matrix, numbers, rotate, vectors } = library;
   const constructed = constructorOrder && lettersOf[constructorOrder];
   const isOther = ordersOf(library).length === 2;
   const isRotating = rotate !== undefined || matrix === undefined;
-  return [
-    { content: library.version },
-    { content: knownWords[library.known][0] },
+  const cells: Cell[] = [
+    { column: columnOf.version, content: library.version },
+    { column: columnOf.known, content: knownWords[library.known][0] },
     {
+      column: columnOf.array,
       content: arrayOrder && lettersOf[arrayOrder],
       line: isOther ? "other-order" : (arrayOrder || !constructorOrder) && "order",
     },
     {
+      column: columnOf.constructor,
       content: isOther ? <strong>{constructed}</strong> : constructed,
       line: (isOther || (!arrayOrder && constructorOrder)) && "order",
     },
     {
+      column: columnOf.product,
       content: handedness && (
         <span class={`line-accent ${accent}`}>{productWords[handedness]}</span>
       ),
       line: "product",
     },
-    { content: rotate && `${rotate}(q)`, line: isRotating && "matrix" },
+    { column: columnOf.rotates, content: rotate && `${rotate}(q)`, line: isRotating && "matrix" },
     {
+      column: columnOf.matrix,
       content: matrix && (
         <>
           {matrix}(q)
@@ -284,12 +308,40 @@ function cellsOf(library: Library, store: Store): Cell[] {
       ),
       line: !isRotating && "matrix",
     },
-    { content: first && (first === "right" ? "b" : "a") },
+    { column: columnOf.first, content: first && (first === "right" ? "b" : "a") },
     {
+      column: columnOf.short,
       content: family && <span class={`family ${accent}`}>{familyWords[family][0]}</span>,
       line: "family",
     },
   ];
+  return numbers ? cells.flatMap((cell) => withNumbers(cell, numbers)) : cells;
+}
+
+/** Where no quaternion is written: what is, and how it makes the rotation, in the columns of orders and product. */
+function withNumbers(cell: Cell, numbers: RecordNumbers): Cell[] {
+  switch (cell.column) {
+    case columnOf.array: {
+      const unit = <span class="numbers-in">{inUnit(numbers.unit)}</span>;
+      return [{ ...cell, columns: 2, content: [numbersCalled(numbers), unit] }];
+    }
+    case columnOf.product: {
+      const { means, names } = numbers;
+      const product = meansWords(hasShortNames(names) ? numbers : { means, names: undefined });
+      return [{ ...cell, columns: 2, content: <code class="numbers-in">{product}</code> }];
+    }
+    case columnOf.constructor:
+    case columnOf.rotates:
+      return [];
+    case columnOf.matrix:
+      return [{ ...cell, line: "matrix" }];
+    case columnOf.first:
+      return [{ ...cell, content: "" }];
+    case columnOf.short:
+      return [{ ...cell, content: numbersNames[numbers.kind] }];
+    default:
+      return [cell];
+  }
 }
 
 function NotEstablished() {

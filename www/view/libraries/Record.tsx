@@ -1,18 +1,23 @@
 // One record of the table: everything that is known of a library, and how.
 import type { ComponentChildren } from "preact";
 import { toFragment } from "../../address/fragment.ts";
-import type { Code, Endpoint, Library } from "../../engine.ts";
+import type { Code, Endpoint, Library, RecordNumbers } from "../../engine.ts";
 import { opening, type PageState } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
+import { lettersOf } from "../../words/conventions.ts";
 import * as words from "../../words/libraries/record.tsx";
 import {
   axisAngleWords,
   familyWords,
   halfTurnWords,
+  inUnit,
+  kindNames,
   knownWords,
   languageNames,
+  meansWords,
   nonUnitWords,
   notEstablished,
+  numbersWords,
   resultWords,
   signWords,
   slerpWords,
@@ -20,7 +25,7 @@ import {
   zeroWords,
 } from "../../words/library_behaviour.ts";
 import { Copy } from "../parts/Copy.tsx";
-import { establishedOf } from "../parts/library.ts";
+import { establishedOf, isLibrary } from "../parts/library.ts";
 import { EvidenceOf } from "./Evidence.tsx";
 import "./record.css";
 
@@ -29,6 +34,8 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
   const linkTo = (change: Partial<PageState>) =>
     `#${toFragment({ ...store.state.value, ...change })}`;
   const end: Endpoint = { kind: "library", id: library.id };
+  const { arrayOrder, numbers, printedOrder } = library;
+  const hasCalls = isLibrary(library);
   return (
     <article class="record" aria-label={words.title(library.name)}>
       <p class="record-links">
@@ -44,40 +51,53 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
         </span>
       </p>
       {library.note !== undefined && <p class="record-note">{library.note}</p>}
+      {library.doubt !== undefined && (
+        <p class="record-note">
+          <strong>{words.doubt}</strong> {library.doubt}
+        </p>
+      )}
       <div class="record-parts">
         <div>
           <h3>{words.means}</h3>
           <dl>
-            <Fact name={words.called}>
-              {family && (
-                <>
-                  <strong>{familyWords[family][0]}</strong>: {familyWords[family][1]}
-                </>
-              )}
-            </Fact>
+            {library.kind && <Fact name={words.kind}>{kindNames[library.kind]}</Fact>}
+            {numbers && <Fact name={words.writes}>{written(numbers)}</Fact>}
+            {printedOrder && arrayOrder && (
+              <Fact name={words.order}>
+                {words.printsAndStores(lettersOf[printedOrder], lettersOf[arrayOrder])}
+              </Fact>
+            )}
+            {!numbers && (
+              <Fact name={words.called}>
+                {family && (
+                  <>
+                    <strong>{familyWords[family][0]}</strong>: {familyWords[family][1]}
+                  </>
+                )}
+              </Fact>
+            )}
             <Fact name={words.direction}>
-              {library.direction && action && words.takes(action, takesWords[library.direction])}
+              {library.direction &&
+                (numbers
+                  ? words.leads(takesWords[library.direction])
+                  : action && words.takes(action, takesWords[library.direction]))}
             </Fact>
+            {library.axes && <Fact name={words.axes}>{library.axes}</Fact>}
             {library.euler?.map(({ call, means }, at) => (
               <Fact key={call} name={at === 0 ? words.euler : ""}>
                 {words.eulerCall(call, means.replaceAll("-", "−"))}
               </Fact>
             ))}
-            <Fact name={words.axisAngle}>
-              {library.axisAngle && axisAngleWords[library.axisAngle]}
-            </Fact>
-            <Fact name={words.ofMatrix}>
-              {library.matrixToQuaternion &&
-                `${signWords[library.matrixToQuaternion.sign]}; ${halfTurnWords[library.matrixToQuaternion.halfTurns]}`}
-            </Fact>
-            <Fact name={words.slerp}>{library.slerp && slerpWords[library.slerp]}</Fact>
-            <Fact name={words.nonUnit}>{resultWords(library.nonUnit, nonUnitWords)}</Fact>
-            <Fact name={words.zero}>{resultWords(library.zero, zeroWords)}</Fact>
+            {hasCalls && <Calls library={library} />}
           </dl>
         </div>
         <div>
-          <h3>{languageNames[library.language]}</h3>
-          <CodeOf code={library.code} />
+          {!numbers && (
+            <>
+              <h3>{languageNames[library.language]}</h3>
+              <CodeOf code={library.code} />
+            </>
+          )}
           <h3>{words.known}</h3>
           <dl>
             <Fact name={knownWords[library.known][0]}>{knownWords[library.known][1]}</Fact>
@@ -101,6 +121,30 @@ export function LibraryRecord({ library, store }: { library: Library; store: Sto
       </div>
       {library.known === "run" && <EvidenceOf key={library.id} library={library} />}
     </article>
+  );
+}
+
+/** What numbers stand for the rotation, and how. */
+function written(numbers: RecordNumbers) {
+  const { means, names, unit } = numbers;
+  if (means === undefined) return numbersWords(numbers);
+  return words.written(names, inUnit(unit), meansWords(numbers));
+}
+
+/** What the calls of a library do, which a file or a device has not. */
+function Calls({ library }: { library: Library }) {
+  const { axisAngle, matrixToQuaternion, nonUnit, slerp, zero } = library;
+  return (
+    <>
+      <Fact name={words.axisAngle}>{axisAngle && axisAngleWords[axisAngle]}</Fact>
+      <Fact name={words.ofMatrix}>
+        {matrixToQuaternion &&
+          `${signWords[matrixToQuaternion.sign]}; ${halfTurnWords[matrixToQuaternion.halfTurns]}`}
+      </Fact>
+      <Fact name={words.slerp}>{slerp && slerpWords[slerp]}</Fact>
+      <Fact name={words.nonUnit}>{resultWords(nonUnit, nonUnitWords)}</Fact>
+      <Fact name={words.zero}>{resultWords(zero, zeroWords)}</Fact>
+    </>
   );
 }
 

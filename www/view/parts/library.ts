@@ -13,7 +13,9 @@ import {
   customConvention,
   familyWords,
   groupNames,
+  kindNames,
   knownWords,
+  numbersWords,
 } from "../../words/library_behaviour.ts";
 import { nameOf } from "./convention_names.ts";
 
@@ -29,15 +31,20 @@ export function libraryWith(engine: Engine, id: string | undefined): Library | u
   return engine.libraries.find((library) => library.id === id);
 }
 
+/** Whether a record is of a library with quaternions, which has calls to be asked about. */
+export const isLibrary = ({ kind, numbers }: Library) =>
+  kind === undefined && numbers === undefined;
+
 /** What an end is called. */
 export function endName(end: Endpoint, engine: Engine): string {
   if (end.kind === "library") return libraryWith(engine, end.id)?.name ?? end.id;
   return nameOf(end.convention, engine) ?? customConvention;
 }
 
-/** The orders in which four numbers of a library stand: one, two, or none that is established. */
+/** The orders in which four numbers of a library stand, the usual one first: one, two, or none that is established. */
 export function ordersOf(library: Library): ComponentOrder[] {
-  return [...new Set([library.arrayOrder, library.constructorOrder])].filter(
+  const { printedOrder, arrayOrder, constructorOrder } = library;
+  return [...new Set([printedOrder, arrayOrder, constructorOrder])].filter(
     (order) => order !== undefined,
   );
 }
@@ -49,11 +56,15 @@ export function establishedOf(described: LibraryDescription | undefined) {
   return { action, family, first: firstToAct };
 }
 
-/** `x y z w, Hamilton · 1.17.1, run`. */
+/** `x y z w, Hamilton · 1.17.1, run`, `device, A B C in degrees · third parties, documented`. */
 export function aboutLibrary(library: Library, engine: Engine): string {
+  const { kind, numbers } = library;
   const { family } = establishedOf(engine.describeLibrary(library.id));
   const orders = ordersOf(library).map((order) => lettersOf[order]);
-  const behaviour = [orders.join(" / "), family && familyWords[family][0]].filter(Boolean);
+  const written = numbers ? numbersWords(numbers) : orders.join(" / ");
+  const behaviour = [kind && kindNames[kind], written, family && familyWords[family][0]].filter(
+    Boolean,
+  );
   const known = `${library.version}, ${knownWords[library.known][0]}`;
   return behaviour.length === 0 ? known : `${behaviour.join(", ")} · ${known}`;
 }

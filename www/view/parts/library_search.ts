@@ -8,7 +8,8 @@ const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
 function distance(library: Library, asked: ReadonlySet<string>, about: string): number | undefined {
   const name = library.name.toLowerCase();
   const others = [library.id, ...(library.words ?? [])].join(" ").toLowerCase();
-  const field = [groupNames[library.group], library.group, languageNames[library.language], about]
+  const { group, language, axes } = library;
+  const field = [groupNames[group], group, languageNames[language], axes, about]
     .join(" ")
     .toLowerCase();
   let farthest = 0;

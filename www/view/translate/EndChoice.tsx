@@ -55,7 +55,7 @@ export function EndChoice({ store, side }: { store: Store; side: "from" | "to" }
           </p>
           <div class="end-choices">
             <DirectionChoice store={store} end={end} library={library} set={set} />
-            <OrderChoice end={end} library={library} set={set} />
+            {library.numbers === undefined && <OrderChoice end={end} library={library} set={set} />}
           </div>
         </>
       )}
@@ -108,7 +108,7 @@ function DirectionChoice({
     <Choice
       kind="segments"
       group={group}
-      legend={words.takes(usual.action)}
+      legend={library.numbers ? words.numbersTake : words.takes(usual.action)}
       values={directionValues.map((direction) => ({
         value: direction,
         words: <Noted word={arrowOf(direction)} note={reason(direction)} />,
@@ -121,7 +121,7 @@ function DirectionChoice({
   );
 }
 
-/** Where an array and a constructor differ, or neither is known, people say which they mean. */
+/** Where what is printed, an array and a constructor differ, or none is known, people say which they mean. */
 function OrderChoice({
   end,
   library,
@@ -137,6 +137,7 @@ function OrderChoice({
   const usual = orders[0] ?? "scalar-last";
   const reason = (order: string): string | undefined => {
     if (orders.length === 0) return order === usual ? words.assumed : undefined;
+    if (order === library.printedOrder) return words.printed;
     if (order === library.arrayOrder) return words.ofArray;
     return order === library.constructorOrder ? words.ofConstructor : undefined;
   };

@@ -10,6 +10,7 @@ import {
   knownWords,
   languageNames,
   nonUnitWords,
+  numbersWords,
   productWords,
   resultWords,
   vectorWords,
@@ -51,10 +52,22 @@ export function EndColumn({
         <h2 id={`${side}-name`}>{name}</h2>
         {library && <span class="badge">{knownWords[library.known][0]}</span>}
         <p class="axes">
-          <span>{end.handedness ? productWords[end.handedness] : words.product}</span>{" "}
-          <span>{lettersOf[end.order]}</span> <span>{arrowOf(end.direction)}</span>
+          {end.numbers ? (
+            <span>{numbersWords(end.numbers)}</span>
+          ) : (
+            <>
+              <span>{end.handedness ? productWords[end.handedness] : words.product}</span>{" "}
+              <span>{lettersOf[end.order]}</span>
+            </>
+          )}{" "}
+          <span>{arrowOf(end.direction)}</span>
         </p>
-        <p class="effect">{words.takes(<Of action={end.action} />, end.direction)}</p>
+        <p class="effect">
+          {end.numbers
+            ? words.itTakes(end.direction)
+            : words.takes(<Of action={end.action} />, end.direction)}
+        </p>
+        {library?.axes && <p class="effect">{words.axes(library.axes)}</p>}
         {assumed.map((what) => (
           <p key={what} class="assumed">
             {words.assumptions[what]}
@@ -85,38 +98,45 @@ export function EndColumn({
           />
         </div>
       ) : (
-        <p class="absent">{words.noMatrix}</p>
+        !end.numbers && <p class="absent">{words.noMatrix}</p>
       )}
-      <div class="rows">
-        {otherOrder && (
-          <ArrayRow
-            name={words.constructed(name)}
-            symbol={lettersOf[otherOrder]}
-            numbers={arrayOf(components, otherOrder)}
-            digits={digits}
-            note={words.constructedNote}
-            value={values.reordered}
-          />
-        )}
-        <WordRow symbol={<code>a * b</code>}>
-          {end.firstToAct === undefined ? words.noFirst : words.first[end.firstToAct]}
-        </WordRow>
-        <WordRow symbol={words.called}>
-          {end.family === undefined ? (
-            words.noFamily
-          ) : (
-            <>
-              <strong>{familyWords[end.family][0]}</strong>: {familyWords[end.family][1]}
-            </>
+      {!end.numbers && (
+        <div class="rows">
+          {otherOrder && (
+            <ArrayRow
+              name={words.constructed(name)}
+              symbol={lettersOf[otherOrder]}
+              numbers={arrayOf(components, otherOrder)}
+              digits={digits}
+              note={words.constructedNote}
+              value={values.reordered}
+            />
           )}
-        </WordRow>
-        {library && !isUnit && (
-          <WordRow symbol={words.nonUnit}>
-            {resultWords(library.nonUnit, nonUnitWords) || words.noNonUnit}
+          <WordRow symbol={<code>a * b</code>}>
+            {end.firstToAct === undefined ? words.noFirst : words.first[end.firstToAct]}
           </WordRow>
-        )}
-      </div>
+          <WordRow symbol={words.called}>
+            {end.family === undefined ? (
+              words.noFamily
+            ) : (
+              <>
+                <strong>{familyWords[end.family][0]}</strong>: {familyWords[end.family][1]}
+              </>
+            )}
+          </WordRow>
+          {library && !isUnit && (
+            <WordRow symbol={words.nonUnit}>
+              {resultWords(library.nonUnit, nonUnitWords) || words.noNonUnit}
+            </WordRow>
+          )}
+        </div>
+      )}
       {library?.note !== undefined && <p class="end-note">{library.note}</p>}
+      {library?.doubt !== undefined && (
+        <p class="end-note">
+          <strong>{words.doubt}</strong> {library.doubt}
+        </p>
+      )}
     </section>
   );
 }

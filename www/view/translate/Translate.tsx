@@ -1,7 +1,7 @@
 // The Translate view: four numbers from one library or convention to another.
 import { toFragment } from "../../address/fragment.ts";
 import { endQuaternion } from "../../copy/values.ts";
-import type { Fact, TranslateReport } from "../../engine.ts";
+import type { Fact, TranslatedEnd, TranslateReport } from "../../engine.ts";
 import { inverseAxes } from "../../model/axis_mapping.ts";
 import { type Digits, opening, type PageState } from "../../model/page_state.ts";
 import { exact, shown } from "../../number/format.ts";
@@ -24,8 +24,9 @@ import { AxesChoice } from "./AxesChoice.tsx";
 import { EndChoice } from "./EndChoice.tsx";
 import { EndColumn } from "./EndColumn.tsx";
 import { MistakesCard } from "./MistakesCard.tsx";
+import { NumbersStrip, namedNumbers } from "./NumbersStrip.tsx";
 import { ProductCard } from "./ProductCard.tsx";
-import { Why } from "./Why.tsx";
+import { Why, WhyNumbers } from "./Why.tsx";
 import "../parts/result.css";
 import "./translate.css";
 
@@ -70,7 +71,7 @@ function SwapButton({ store }: { store: Store }) {
     store.set({
       from: to,
       to: from,
-      ...(isCurrent && { translated: result.report.to.array.map(exact).join(" ") }),
+      ...(isCurrent && { translated: numbersOf(result.report.to).map(exact).join(" ") }),
       worldAxes: inverseAxes(worldAxes, mapping?.world.mapping),
       bodyAxes: inverseAxes(bodyAxes, mapping?.body.mapping),
     });
@@ -181,8 +182,24 @@ function ReadAs({ report, store }: { report: TranslateReport; store: Store }) {
           </button>
         </p>
       )}
+      <AsPrinted report={report} store={store} />
       <Notes notes={report.notes} store={store} />
     </div>
+  );
+}
+
+/** That bare numbers stand as the library prints them, where it stores them otherwise. */
+function AsPrinted({ report, store }: { report: TranslateReport; store: Store }) {
+  const { from, quaternion } = report;
+  const library = libraryWith(store.engine, from.library);
+  const { printedOrder, arrayOrder } = library ?? {};
+  const isBare = quaternion.form.kind === "quaternion" && quaternion.orderSource === "declared";
+  if (!library || !printedOrder || !arrayOrder || !isBare || from.order !== printedOrder)
+    return null;
+  return (
+    <ul class="notes">
+      <li>{words.asPrinted(library.name, printedOrder, arrayOrder)}</li>
+    </ul>
   );
 }
 
@@ -199,21 +216,25 @@ function Result({
   return (
     <>
       <section class="card translation custom" aria-labelledby="translation-name">
-        <h2 id="translation-name">{words.changeWords(report)}</h2>
+        <h2 id="translation-name">{headline(report)}</h2>
         <div class="translation-numbers">
           {(["from", "to"] as const).map((side) => (
             <div key={side} class={`translation-end ${accentOf(report[side].family)}`}>
               <p class="translation-name">
                 {names[side]} <span>{arrowOf(report[side].direction)}</span>
               </p>
-              <ComponentStrip
-                symbol="q"
-                name={words.components(names[side], report[side].order)}
-                components={report[side].components}
-                convention={report[side]}
-                value={endQuaternion(report[side], store.engine.describe)}
-                digits={digits}
-              />
+              {report[side].numbers ? (
+                <NumbersStrip name={names[side]} numbers={report[side].numbers} digits={digits} />
+              ) : (
+                <ComponentStrip
+                  symbol="q"
+                  name={words.components(names[side], report[side].order)}
+                  components={report[side].components}
+                  convention={report[side]}
+                  value={endQuaternion(report[side], store.engine.describe)}
+                  digits={digits}
+                />
+              )}
               <CarryLinks
                 store={store}
                 of={words.components(names[side], report[side].order)}
@@ -223,7 +244,12 @@ function Result({
             </div>
           ))}
         </div>
-        <Why report={report} names={names} />
+        {hasNumbers(report) ? (
+          <WhyNumbers report={report} names={names} store={store} />
+        ) : (
+          <Why report={report} names={names} />
+        )}
+        <LeftHanded report={report} names={names} store={store} />
       </section>
       <div class="columns">
         {(["from", "to"] as const).map((side) => (
@@ -239,8 +265,10 @@ function Result({
         ))}
       </div>
       <div class="facts">
-        <ProductCard report={report} names={names} store={store} />
-        <MistakesCard report={report} digits={digits} unit={store.state.value.unit} />
+        {!hasNumbers(report) && <ProductCard report={report} names={names} store={store} />}
+        {report.mistakes.length > 0 && (
+          <MistakesCard report={report} digits={digits} unit={store.state.value.unit} />
+        )}
       </div>
       {report.axes && <AxesCard axes={report.axes} digits={digits} />}
     </>
@@ -249,6 +277,36 @@ function Result({
 
 /** What is said of numbers whose norm is not 1. */
 const ofOtherNorm: readonly Fact["kind"][] = ["normalised", "far-from-unit"];
+
+/** That only one of the two has left-handed axes, while none are changed. */
+function LeftHanded({
+  report,
+  names,
+  store,
+}: {
+  report: TranslateReport;
+  names: EndNames;
+  store: Store;
+}) {
+  const isLeft = (side: "from" | "to") =>
+    libraryWith(store.engine, report[side].library)?.axes?.startsWith(leftHanded);
+  if (report.axes || Boolean(isLeft("from")) === Boolean(isLeft("to"))) return null;
+  return <p class="why">{words.oneIsLeftHanded(isLeft("from") ? names.from : names.to)}</p>;
+}
+
+/** How the axes of a record begin that are left-handed. */
+const leftHanded = "left-handed";
+
+/** Whether an end has no quaternion. */
+const hasNumbers = ({ from, to }: TranslateReport) => Boolean(from.numbers ?? to.numbers);
+
+/** What an end reads again. */
+const numbersOf = ({ numbers, array }: TranslatedEnd) => numbers?.values ?? array;
+
+/** What is done to the numbers. */
+function headline(report: TranslateReport): string {
+  return hasNumbers(report) ? words.numbersChange(report) : words.changeWords(report);
+}
 
 /** What the ends of a report are called, which are not those of the state while a text has a problem. */
 function namesOf(report: TranslateReport, store: Store): EndNames {
@@ -268,9 +326,9 @@ export function spokenTranslation(store: Store): string {
   const report = store.translate.value?.report;
   if (report === undefined) return "";
   const { digits } = store.state.value;
-  const { components } = report.to;
-  const numbers = namesInOrder(report.to).map(
-    (name) => `${name} ${shown(components[name], digits)}`,
-  );
-  return words.spoken(namesOf(report, store).to, numbers, report);
+  const { components, numbers } = report.to;
+  const spoken = numbers
+    ? namedNumbers(numbers).map(({ name, value }) => `${name} ${shown(value, digits)}`)
+    : namesInOrder(report.to).map((name) => `${name} ${shown(components[name], digits)}`);
+  return words.spoken(namesOf(report, store).to, spoken, headline(report));
 }

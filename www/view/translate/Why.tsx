@@ -1,7 +1,10 @@
 // What is done to four numbers on the way, and why, with the frames.
-import type { CosineMatrix, TranslatedEnd, TranslateReport } from "../../engine.ts";
+import type { CosineMatrix, Engine, TranslatedEnd, TranslateReport } from "../../engine.ts";
+import type { Store } from "../../state/store.ts";
+import { meansWords } from "../../words/library_behaviour.ts";
 import type { EndNames } from "../../words/translate/translate.ts";
 import * as words from "../../words/translate/why.tsx";
+import { libraryWith } from "../parts/library.ts";
 
 export function Why({ report, names }: { report: TranslateReport; names: EndNames }) {
   const { from, to } = report;
@@ -18,6 +21,39 @@ export function Why({ report, names }: { report: TranslateReport; names: EndName
       </p>
     </div>
   );
+}
+
+/** Where an end has no quaternion: what either end says, and nothing of conjugates. */
+export function WhyNumbers({
+  report,
+  names,
+  store,
+}: {
+  report: TranslateReport;
+  names: EndNames;
+  store: Store;
+}) {
+  return (
+    <div class="why">
+      {(["from", "to"] as const).map((side) => (
+        <p key={side}>
+          {words.by(
+            names[side],
+            <By end={report[side]} engine={store.engine} />,
+            report[side].direction,
+          )}
+        </p>
+      ))}
+    </div>
+  );
+}
+
+/** What takes coordinates at an end: the product of its turns, its vector, its matrix, its quaternion. */
+function By({ end, engine }: { end: TranslatedEnd; engine: Engine }) {
+  if (end.numbers === undefined) return <Of action={end.action} />;
+  const numbers = libraryWith(engine, end.library)?.numbers;
+  if (numbers?.means === undefined) return <>{words.byIts[end.numbers.kind]}</>;
+  return <code>{meansWords(numbers)}</code>;
 }
 
 const isConjugated = ({ change }: TranslateReport) =>

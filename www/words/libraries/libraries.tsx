@@ -5,7 +5,7 @@ import { notEstablished } from "../library_behaviour.ts";
 export const input = "Input";
 export const title = "What libraries mean by four numbers";
 export const find = "Find a library";
-export const findExample = "name, module, language, xyzw, JPL …";
+export const findExample = "name, module, file, language, xyzw, JPL, left-handed …";
 
 export const matrices = (
   <>
@@ -43,18 +43,18 @@ export const counted = (
 };
 
 /** The heads of the columns, in the order of the cells. */
-export const columns = [
-  "Library",
-  "Version",
-  "Known",
-  "Array",
-  "Constructor",
-  "Product",
-  "Rotates by",
-  "Matrix as printed",
-  "a * b: first",
-  "In short",
-];
+export const columns = {
+  library: "Library",
+  version: "Version",
+  known: "Known",
+  array: "Array",
+  constructor: "Constructor",
+  product: "Product",
+  rotates: "Rotates by",
+  matrix: "Matrix as printed",
+  first: "a * b: first",
+  short: "In short",
+};
 
 /** What a screen reader hears when the table changes. */
 export const spoken = (shown: number, all: number, opened: string | undefined) =>

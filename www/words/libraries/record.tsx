@@ -7,12 +7,27 @@ export const to = "Translate to";
 export const link = "link to this record";
 export const copiedLink = "the link to this record";
 export const means = "What it means";
+export const doubt = "Not certain:";
+export const kind = "Record of a";
+export const writes = "Writes";
+export const order = "Order";
+export const written = (names: string | undefined, unit: string, means: string) => (
+  <>
+    {names ?? "a b c"}
+    {unit}: <code>{means}</code>
+  </>
+);
+
+export const printsAndStores = (printed: string, stored: string) =>
+  `prints ${printed}, stores ${stored}`;
 export const called = "Called";
 export const direction = "Direction";
 
 export const takes = (action: string, coordinates: string) =>
   `${action}(q) takes ${coordinates}, as documented`;
 
+export const leads = (coordinates: string) => `takes ${coordinates}`;
+export const axes = "Axes";
 export const euler = "Euler angles";
 
 export const eulerCall = (call: string, means: string) => (

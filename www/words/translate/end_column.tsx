@@ -12,6 +12,11 @@ export const takes = (action: ComponentChildren, direction: Direction) => (
   </>
 );
 
+export const axes = (text: string) => `Axes: ${text}.`;
+export const doubt = "Not certain:";
+
+export const itTakes = (direction: Direction) => `It takes ${takesWords[direction]}.`;
+
 export const assumptions = {
   order: "Assumed: the order of its numbers is not established, and is taken as x y z w.",
   action: "Assumed: what it does to a vector is not established, and is taken as R(q).",

@@ -1,5 +1,5 @@
 // The words of the Translate view around its parts, and what a screen reader hears of it.
-import type { ComponentOrder, TranslateReport } from "../../engine.ts";
+import type { ComponentOrder, RecordNumbersKind, TranslateReport } from "../../engine.ts";
 import { lettersOf } from "../conventions.ts";
 
 /** What the two ends are called. */
@@ -24,6 +24,10 @@ export const exampleNames = {
 export const readAs = "Read as";
 export const looksLike = (name: string) => `This looks like ${name}:`;
 export const translateFrom = (name: string) => `translate from ${name}`;
+export const asPrinted = (name: string, printed: ComponentOrder, stored: ComponentOrder) =>
+  `${name} prints ${lettersOf[printed]} and stores ${lettersOf[stored]}: read as printed.`;
+export const oneIsLeftHanded = (name: string) =>
+  `The axes of ${name} are left-handed: where the other end's are not, the axes change, too.`;
 export const components = (name: string, order: ComponentOrder) =>
   `q of ${name} as ${lettersOf[order]}`;
 export const yours = "Your convention";
@@ -35,8 +39,22 @@ export const sameNames = (name: string): EndNames => ({
 });
 
 /** What a screen reader hears when the result changes. */
-export const spoken = (name: string, numbers: readonly string[], report: TranslateReport) =>
-  `Result for ${name}: ${numbers.join(", ")}. ${changeWords(report)}.`;
+export const spoken = (name: string, numbers: readonly string[], change: string) =>
+  `Result for ${name}: ${numbers.join(", ")}. ${change}.`;
+
+/** `From Euler angles to a rotation vector`. */
+export function numbersChange({ from, to, axes }: TranslateReport): string {
+  const [one, other] = [from, to].map(({ numbers }) => writtenAs[numbers?.kind ?? "quaternion"]);
+  return `From ${one} to ${other}${axes ? ", and on other axes" : ""}`;
+}
+
+const writtenAs: Record<RecordNumbersKind | "quaternion", string> = {
+  quaternion: "a quaternion",
+  "euler-angles": "Euler angles",
+  "rotation-vector": "a rotation vector",
+  "axis-angle": "axis and angle",
+  matrix: "a matrix",
+};
 
 /** `Reordered, not conjugated` and the like. */
 export function changeWords({ change, axes }: TranslateReport): string {

@@ -1,6 +1,6 @@
 // Why numbers are conjugated or not, and reordered or not.
 import type { ComponentChildren } from "preact";
-import type { ComponentOrder, Direction } from "../../engine.ts";
+import type { ComponentOrder, Direction, RecordNumbersKind } from "../../engine.ts";
 import { lettersOf } from "../conventions.ts";
 import { takesWords } from "../library_behaviour.ts";
 import { unbroken } from "../phrases.ts";
@@ -48,6 +48,20 @@ export const each = (
     {takesWords[directions[1]]} by {actions[1]}.
   </>
 );
+
+/** What an end says by what it writes. */
+export const by = (name: string, does: ComponentChildren, direction: Direction) => (
+  <>
+    {name} takes {takesWords[direction]} by {does}.
+  </>
+);
+
+export const byIts: Record<RecordNumbersKind, string> = {
+  "euler-angles": "its angles",
+  "rotation-vector": "the turn of its vector, an axis times an angle",
+  "axis-angle": "the turn of its axis and angle",
+  matrix: "its matrix",
+};
 
 export const inverse = " Each is the inverse of the other.";
 

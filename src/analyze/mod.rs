@@ -25,6 +25,9 @@ mod matrix;
 // What a careful reader should know.
 mod notes;
 
+// Which description of an attitude numbers are.
+pub(crate) mod numbers;
+
 // Numbers as reports have them.
 mod plain_numbers;
 
@@ -39,6 +42,7 @@ mod vector;
 
 use crate::analyze::compose::compose;
 use crate::analyze::identify::identify;
+use crate::analyze::numbers::numbers;
 use crate::analyze::read::read;
 use crate::analyze::translate::translate;
 use crate::contract::request::Request;
@@ -71,6 +75,9 @@ pub fn analyze(request: &Request) -> Outcome {
             translate(request).map(|report| Outcome::Translate(Box::new(report)))
         }
         Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
+        Request::Numbers(request) => {
+            numbers(request).map(|report| Outcome::Numbers(Box::new(report)))
+        }
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

@@ -13,6 +13,9 @@ pub(crate) mod identification;
 // What a careful reader should know.
 mod note;
 
+// What numbers beside an attitude are.
+mod numbers;
+
 /// What was tried on a library.
 pub mod probe;
 
@@ -25,6 +28,7 @@ mod translation;
 pub use crate::contract::attitude::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::note::*;
+pub use crate::contract::numbers::*;
 pub use crate::contract::translation::*;
 use crate::convention::{Convention, Direction};
 use crate::problem::{Field, Problem};
@@ -43,6 +47,8 @@ pub enum Outcome {
     Translate(Box<TranslateReport>),
     /// The answer to a [`Request::Identify`](crate::Request::Identify); problems of its texts are in it.
     Identify(Box<IdentifyReport>),
+    /// The answer to a [`Request::Numbers`](crate::Request::Numbers).
+    Numbers(Box<NumbersReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -190,7 +196,7 @@ impl Outcome {
                 Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
             }
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
-            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => self,
+            Self::Read(_) | Self::Compose(_) | Self::Translate(_) | Self::Numbers(_) => self,
         }
     }
 }

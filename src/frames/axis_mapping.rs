@@ -129,6 +129,105 @@ impl AxisMapping {
         }
     }
 
+    /// All 48.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        let signed = axes.into_iter().flat_map(|axis| {
+            [Sense::Along, Sense::Against].map(|sense| SignedAxis { axis, sense })
+        });
+        let all = signed.clone().flat_map(move |x| {
+            let third = signed.clone();
+            let second = signed.clone();
+            second.flat_map(move |y| third.clone().map(move |z| Self { axes: [x, y, z] }))
+        });
+        all.filter(|mapping| mapping.matrix().determinant() != 0.0)
+    }
+
+    /// The mapping to whose matrix a matrix is so near that the largest entry of every row tells it.
+    pub(crate) fn nearest_to_matrix(matrix: &Matrix3<f64>) -> Option<Self> {
+        let axes = [0, 1, 2].map(|row| {
+            let row = matrix.row(row);
+            let at = row.iamax_full().1;
+            SignedAxis {
+                axis: [Axis::X, Axis::Y, Axis::Z][at],
+                sense: if row[at] < 0.0 {
+                    Sense::Against
+                } else {
+                    Sense::Along
+                },
+            }
+        });
+        let mapping = Self { axes };
+        (mapping.matrix().determinant() != 0.0).then_some(mapping)
+    }
+
+    /// The new axes reversed, all three.
+    pub(crate) fn opposite(&self) -> Self {
+        Self {
+            axes: self.axes.map(|SignedAxis { axis, sense }| SignedAxis {
+                axis,
+                sense: match sense {
+                    Sense::Along => Sense::Against,
+                    Sense::Against => Sense::Along,
+                },
+            }),
+        }
+    }
+
+    /// The old axes in terms of the new.
+    pub(crate) fn inverse(&self) -> Self {
+        let axes = [Axis::X, Axis::Y, Axis::Z];
+        let old = |axis: Axis| {
+            let places = self.axes.iter().zip(axes);
+            let mut places = places.filter(|(signed, _)| signed.axis == axis);
+            places
+                .next()
+                .map_or(SignedAxis::along(axis), |(signed, place)| SignedAxis {
+                    axis: place,
+                    sense: signed.sense,
+                })
+        };
+        Self {
+            axes: axes.map(old),
+        }
+    }
+
+    /// How many of the new axes are against old ones.
+    pub(crate) fn reversed_axes(&self) -> u8 {
+        let against = self
+            .axes
+            .iter()
+            .filter(|signed| signed.sense == Sense::Against);
+        against.map(|_| 1).sum()
+    }
+
+    /// The turn whose matrix takes old coordinates to new ones, or of the mapping times −1 where that is
+    /// one, as a text: `180deg about x`.
+    pub(crate) fn turn_in_words(&self) -> String {
+        let q = self.quaternion();
+        let size = q.coords.amax();
+        let turned: Vec<usize> = (0..3).filter(|&axis| q.coords[axis] != 0.0).collect();
+        let degrees = match (q.w == 0.0, turned.len()) {
+            (_, 0) => "0",
+            (true, _) => "180",
+            (false, 1) if q.coords[turned[0]] < 0.0 => "-90",
+            (false, 1) => "90",
+            (false, _) => "120",
+        };
+        let axis = match turned[..] {
+            [only] => ["x", "y", "z"][only].to_owned(),
+            _ => {
+                let entry = |axis: usize| match q.coords[axis] / size {
+                    entry if entry > 0.0 => "1",
+                    entry if entry < 0.0 => "-1",
+                    _ => "0",
+                };
+                format!("[{}, {}, {}]", entry(0), entry(1), entry(2))
+            }
+        };
+        format!("{degrees}deg about {axis}")
+    }
+
     /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
     /// is not 1, so it is exact: those of its components that are not 0 have one size, and the first
     /// of them is positive.

@@ -52,6 +52,8 @@ pub enum Field {
     RotationVector,
     /// What an observed library printed.
     Printed,
+    /// Numbers beside an attitude.
+    Numbers,
 }
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.

@@ -34,11 +34,14 @@ use wasm_bindgen::prelude::*;
 use {
     crate::analyze::identify::observation::LONGEST_TEXT_BYTES,
     crate::analyze::identify::{identify, standard_probes},
+    crate::analyze::numbers::numbers,
     crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},
     crate::contract::{IdentifyReport, ObservationReport},
     crate::library::endpoint::Endpoint,
-    crate::wasm::library_request::{IDENTIFY, TRANSLATE, identify_request, translate_request},
+    crate::wasm::library_request::{
+        IDENTIFY, NUMBERS, TRANSLATE, identify_request, numbers_request, translate_request,
+    },
     crate::wasm::request::{COMPOSE, READ},
 };
 
@@ -47,7 +50,7 @@ const VIEW: &str = "view";
 const STATUS: &str = "status";
 
 #[cfg(feature = "libraries")]
-const VIEWS: [&str; 4] = ["read", "compose", "translate", "identify"];
+const VIEWS: [&str; 5] = ["read", "compose", "translate", "identify", "numbers"];
 #[cfg(not(feature = "libraries"))]
 const VIEWS: [&str; 2] = ["read", "compose"];
 
@@ -132,6 +135,14 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
             });
             with_status(&view, &of_whole_texts(report, &texts))
         }
+        #[cfg(feature = "libraries")]
+        "numbers" => {
+            let request = numbers_request(&members)?;
+            answer(&view, numbers(&request), &texts, |field| match field {
+                Field::Numbers => &request.numbers,
+                _ => &request.quaternion,
+            })
+        }
         _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
     }
 }
@@ -146,7 +157,7 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     #[cfg(feature = "libraries")]
     if named.is_undefined() {
         // A misspelt `view` is told before it is missed.
-        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY].concat())?;
+        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS].concat())?;
     }
     let named = word(&named, VIEW)?;
     match asked {

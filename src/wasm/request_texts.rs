@@ -132,5 +132,6 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Matrix => "matrix",
         Field::RotationVector => "rotationVector",
         Field::Printed => "printed",
+        Field::Numbers => "numbers",
     }
 }

@@ -42,6 +42,7 @@ mod vector;
 
 use crate::analyze::compose::compose;
 use crate::analyze::identify::identify;
+use crate::analyze::identify::matrix_library::identify_matrices;
 use crate::analyze::numbers::numbers;
 use crate::analyze::read::read;
 use crate::analyze::translate::translate;
@@ -75,6 +76,7 @@ pub fn analyze(request: &Request) -> Outcome {
             translate(request).map(|report| Outcome::Translate(Box::new(report)))
         }
         Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
+        Request::Matrices(request) => Ok(Outcome::Matrices(Box::new(identify_matrices(request)))),
         Request::Numbers(request) => {
             numbers(request).map(|report| Outcome::Numbers(Box::new(report)))
         }

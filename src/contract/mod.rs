@@ -13,6 +13,9 @@ pub(crate) mod identification;
 // What a careful reader should know.
 mod note;
 
+// What the identification of a library of matrices answers.
+mod matrices;
+
 // What numbers beside an attitude are.
 mod numbers;
 
@@ -27,6 +30,7 @@ mod translation;
 
 pub use crate::contract::attitude::*;
 pub use crate::contract::identification::*;
+pub use crate::contract::matrices::*;
 pub use crate::contract::note::*;
 pub use crate::contract::numbers::*;
 pub use crate::contract::translation::*;
@@ -49,6 +53,8 @@ pub enum Outcome {
     Identify(Box<IdentifyReport>),
     /// The answer to a [`Request::Numbers`](crate::Request::Numbers).
     Numbers(Box<NumbersReport>),
+    /// The answer to a [`Request::Matrices`](crate::Request::Matrices); problems of its texts are in it.
+    Matrices(Box<MatricesReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -196,6 +202,7 @@ impl Outcome {
                 Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
             }
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
+            Self::Matrices(report) => Self::Matrices(Box::new(report.in_utf16(text_of))),
             Self::Read(_) | Self::Compose(_) | Self::Translate(_) | Self::Numbers(_) => self,
         }
     }

@@ -185,6 +185,72 @@ impl Probe {
     }
 }
 
+/// An observation of a library of rotation matrices as texts: what went in and what was printed.
+///
+/// Nine numbers stand row by row, as the matrix multiplies a column. An observation whose `printed` is empty
+/// is not made yet.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(
+    tag = "probe",
+    rename_all = "kebab-case",
+    rename_all_fields = "camelCase"
+)]
+pub enum MatrixProbe {
+    /// The matrix of a body that was turned by +90° about the world's z axis.
+    Yawed {
+        /// The matrix as printed.
+        printed: String,
+    },
+    /// Three matrices with labels, of a chain of frames A, B, C that turn about different axes.
+    Chain {
+        /// That from A to B.
+        a: String,
+        /// That from B to C.
+        b: String,
+        /// That from A to C.
+        printed: String,
+    },
+    /// A matrix after a small turn was added, by the library's own call.
+    Increment {
+        /// The matrix that went in, best that of a body turned by +90° about the world's z axis.
+        matrix: String,
+        /// The rotation vector that was added, in radians, best about x: three numbers.
+        rotation_vector: String,
+        /// The matrix as printed.
+        printed: String,
+    },
+}
+
+impl MatrixProbe {
+    /// What was printed, as text.
+    #[must_use]
+    pub fn printed(&self) -> &str {
+        match self {
+            Self::Yawed { printed }
+            | Self::Chain { printed, .. }
+            | Self::Increment { printed, .. } => printed,
+        }
+    }
+
+    /// The text of a field; what was printed where it has no such field.
+    #[must_use]
+    pub fn text(&self, field: Field) -> &str {
+        match (self, field) {
+            (Self::Chain { a, .. }, Field::A) => a,
+            (Self::Chain { b, .. }, Field::B) => b,
+            (Self::Increment { matrix, .. }, Field::Matrix) => matrix,
+            (
+                Self::Increment {
+                    rotation_vector, ..
+                },
+                Field::RotationVector,
+            ) => rotation_vector,
+            _ => self.printed(),
+        }
+    }
+}
+
 /// How nine numbers were printed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

@@ -1,6 +1,6 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
-use crate::contract::probe::{Probe, ProbeKind};
+use crate::contract::probe::{MatrixProbe, Probe, ProbeKind};
 use crate::convention::Convention;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::matrix::MatrixConvention;
@@ -23,6 +23,8 @@ pub enum Request {
     Identify(IdentifyRequest),
     /// Which description of this attitude are these numbers?
     Numbers(NumbersRequest),
+    /// Which convention does a library of matrices use?
+    Matrices(MatricesRequest),
 }
 
 /// One attitude and one vector.
@@ -95,6 +97,14 @@ pub struct IdentifyRequest {
     /// Kinds of probes that cannot be run.
     #[serde(default)]
     pub unavailable: Vec<ProbeKind>,
+}
+
+/// What a library of rotation matrices printed.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct MatricesRequest {
+    /// The observations in any order, of any kind and number.
+    pub observations: Vec<MatrixProbe>,
 }
 
 /// Numbers beside an attitude.

@@ -32,15 +32,16 @@ use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
+    crate::analyze::identify::matrix_library::identify_matrices,
     crate::analyze::identify::observation::LONGEST_TEXT_BYTES,
     crate::analyze::identify::{identify, standard_probes},
     crate::analyze::numbers::numbers,
     crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},
-    crate::contract::{IdentifyReport, ObservationReport},
     crate::library::endpoint::Endpoint,
     crate::wasm::library_request::{
-        IDENTIFY, NUMBERS, TRANSLATE, identify_request, numbers_request, translate_request,
+        IDENTIFY, MATRICES, NUMBERS, TRANSLATE, identify_request, matrices_request,
+        numbers_request, translate_request,
     },
     crate::wasm::request::{COMPOSE, READ},
 };
@@ -50,7 +51,14 @@ const VIEW: &str = "view";
 const STATUS: &str = "status";
 
 #[cfg(feature = "libraries")]
-const VIEWS: [&str; 5] = ["read", "compose", "translate", "identify", "numbers"];
+const VIEWS: [&str; 6] = [
+    "read",
+    "compose",
+    "translate",
+    "identify",
+    "numbers",
+    "matrices",
+];
 #[cfg(not(feature = "libraries"))]
 const VIEWS: [&str; 2] = ["read", "compose"];
 
@@ -129,11 +137,22 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "identify" => {
             let request: IdentifyRequest = identify_request(&members)?;
-            let report = identify(&request).in_utf16(|field, at| {
+            let mut report = identify(&request).in_utf16(|field, at| {
                 let probe = request.observations.get(at);
                 probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
             });
-            with_status(&view, &of_whole_texts(report, &texts))
+            of_whole_texts(report.problems_mut(), &texts);
+            with_status(&view, &report)
+        }
+        #[cfg(feature = "libraries")]
+        "matrices" => {
+            let request = matrices_request(&members)?;
+            let mut report = identify_matrices(&request).in_utf16(|field, at| {
+                let probe = request.observations.get(at);
+                probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
+            });
+            of_whole_texts(report.problems_mut(), &texts);
+            with_status(&view, &report)
         }
         #[cfg(feature = "libraries")]
         "numbers" => {
@@ -157,7 +176,17 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     #[cfg(feature = "libraries")]
     if named.is_undefined() {
         // A misspelt `view` is told before it is missed.
-        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS].concat())?;
+        members.only(
+            &[
+                &READ[..],
+                &COMPOSE,
+                &TRANSLATE,
+                &IDENTIFY,
+                &NUMBERS,
+                &MATRICES,
+            ]
+            .concat(),
+        )?;
     }
     let named = word(&named, VIEW)?;
     match asked {
@@ -201,14 +230,14 @@ fn id_of(endpoint: &Endpoint) -> &str {
 }
 
 #[cfg(feature = "libraries")]
-fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
-    for (at, observation) in report.observations.iter_mut().enumerate() {
-        if let ObservationReport::Problem(found) = observation {
-            let path = format!("observations[{at}].{}", member_of(found.problem.field));
-            found.problem = texts.of_whole_text(found.problem.clone(), &path, LONGEST_TEXT_BYTES);
-        }
+fn of_whole_texts<'report>(
+    problems: impl Iterator<Item = (usize, &'report mut Problem)>,
+    texts: &Texts,
+) {
+    for (at, problem) in problems {
+        let path = format!("observations[{at}].{}", member_of(problem.field));
+        *problem = texts.of_whole_text(problem.clone(), &path, LONGEST_TEXT_BYTES);
     }
-    report
 }
 
 /// An [`Outcome`](crate::Outcome) as serde would tag it.

@@ -111,6 +111,13 @@ pub(crate) fn rounding(probe: &Probe) -> f64 {
     rounded.min().map_or(0.0, half_unit)
 }
 
+/// Half a unit of the last decimal of the text that has fewest, of those that are rounded.
+pub(crate) fn rounding_of(texts: &[&str]) -> f64 {
+    let decimals = texts.iter().map(|text| decimals(text));
+    let rounded = decimals.filter(|&decimals| decimals >= ROUNDED_DECIMALS);
+    rounded.min().map_or(0.0, half_unit)
+}
+
 /// Half a unit of the last of so many decimals.
 pub(crate) fn half_unit(decimals: usize) -> f64 {
     nearest_double(&format!("5e-{}", decimals + 1))
@@ -135,7 +142,7 @@ fn measured(text: &str) -> Result<&str, Fault> {
     Ok(text)
 }
 
-fn vector_of(text: &str) -> Result<Vector3<f64>, Fault> {
+pub(crate) fn vector_of(text: &str) -> Result<Vector3<f64>, Fault> {
     parse_vector(measured(text)?)
 }
 

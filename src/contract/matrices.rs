@@ -69,16 +69,20 @@ pub(crate) struct MatrixBehaviour {
 
 impl MatrixBehaviour {
     /// All 16.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        MatrixConvention::all().flat_map(|convention| {
-            Perturbation::ALL.into_iter().flat_map(move |perturbation| {
-                IncrementSign::ALL.map(|increment_sign| Self {
-                    convention,
-                    perturbation,
-                    increment_sign,
-                })
-            })
-        })
+    pub(crate) fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        for convention in MatrixConvention::all() {
+            for perturbation in Perturbation::ALL {
+                for increment_sign in IncrementSign::ALL {
+                    all.push(Self {
+                        convention,
+                        perturbation,
+                        increment_sign,
+                    });
+                }
+            }
+        }
+        all
     }
 }
 

@@ -130,35 +130,44 @@ impl AxisMapping {
     }
 
     /// All 48.
-    pub(crate) fn all() -> impl Iterator<Item = Self> {
-        let axes = [Axis::X, Axis::Y, Axis::Z];
-        let signed = axes.into_iter().flat_map(|axis| {
-            [Sense::Along, Sense::Against].map(|sense| SignedAxis { axis, sense })
-        });
-        let all = signed.clone().flat_map(move |x| {
-            let third = signed.clone();
-            let second = signed.clone();
-            second.flat_map(move |y| third.clone().map(move |z| Self { axes: [x, y, z] }))
-        });
-        all.filter(|mapping| mapping.matrix().determinant() != 0.0)
+    pub(crate) fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        for x in SignedAxis::ALL {
+            for y in SignedAxis::ALL {
+                for z in SignedAxis::ALL {
+                    let mapping = Self { axes: [x, y, z] };
+                    if mapping.has_every_axis() {
+                        all.push(mapping);
+                    }
+                }
+            }
+        }
+        all
     }
 
     /// The mapping to whose matrix a matrix is so near that the largest entry of every row tells it.
     pub(crate) fn nearest_to_matrix(matrix: &Matrix3<f64>) -> Option<Self> {
-        let axes = [0, 1, 2].map(|row| {
-            let row = matrix.row(row);
-            let at = row.iamax_full().1;
-            SignedAxis {
-                axis: [Axis::X, Axis::Y, Axis::Z][at],
-                sense: if row[at] < 0.0 {
-                    Sense::Against
-                } else {
-                    Sense::Along
-                },
+        let mut mapping = Self::NONE;
+        for (signed, row) in mapping.axes.iter_mut().zip(matrix.row_iter()) {
+            let mut largest = 0.0_f64;
+            for other in SignedAxis::ALL {
+                let entry = other.sense.sign() * row[other.axis.index()];
+                if entry > largest {
+                    (largest, *signed) = (entry, other);
+                }
             }
-        });
-        let mapping = Self { axes };
-        (mapping.matrix().determinant() != 0.0).then_some(mapping)
+        }
+        mapping.has_every_axis().then_some(mapping)
+    }
+
+    fn has_every_axis(&self) -> bool {
+        let [x, y, z] = self.axes.map(|signed| signed.axis);
+        x != y && y != z && x != z
+    }
+
+    /// Whether every new axis is the old one, or its opposite.
+    pub(crate) fn keeps_places(&self) -> bool {
+        self.axes.map(|signed| signed.axis) == Self::NONE.axes.map(|signed| signed.axis)
     }
 
     /// The new axes reversed, all three.
@@ -176,56 +185,48 @@ impl AxisMapping {
 
     /// The old axes in terms of the new.
     pub(crate) fn inverse(&self) -> Self {
-        let axes = [Axis::X, Axis::Y, Axis::Z];
-        let old = |axis: Axis| {
-            let places = self.axes.iter().zip(axes);
-            let mut places = places.filter(|(signed, _)| signed.axis == axis);
-            places
-                .next()
-                .map_or(SignedAxis::along(axis), |(signed, place)| SignedAxis {
-                    axis: place,
-                    sense: signed.sense,
-                })
-        };
-        Self {
-            axes: axes.map(old),
+        let mut inverse = Self::NONE;
+        for (new, SignedAxis { axis, sense }) in Self::NONE.axes.into_iter().zip(self.axes) {
+            inverse.axes[axis.index()] = SignedAxis { sense, ..new };
         }
+        inverse
     }
 
     /// How many of the new axes are against old ones.
     pub(crate) fn reversed_axes(&self) -> u8 {
-        let against = self
-            .axes
-            .iter()
-            .filter(|signed| signed.sense == Sense::Against);
-        against.map(|_| 1).sum()
+        let mut reversed = 0;
+        for signed in self.axes {
+            reversed += u8::from(signed.sense == Sense::Against);
+        }
+        reversed
     }
 
     /// The turn whose matrix takes old coordinates to new ones, or of the mapping times −1 where that is
     /// one, as a text: `180deg about x`.
     pub(crate) fn turn_in_words(&self) -> String {
-        let q = self.quaternion();
-        let size = q.coords.amax();
-        let turned: Vec<usize> = (0..3).filter(|&axis| q.coords[axis] != 0.0).collect();
-        let degrees = match (q.w == 0.0, turned.len()) {
+        let Quaternion { coords } = self.quaternion();
+        let entries = [coords.x, coords.y, coords.z];
+        let turned = entries.iter().filter(|entry| **entry != 0.0).count();
+        let degrees = match (coords.w == 0.0, turned) {
             (_, 0) => "0",
             (true, _) => "180",
-            (false, 1) if q.coords[turned[0]] < 0.0 => "-90",
             (false, 1) => "90",
             (false, _) => "120",
         };
-        let axis = match turned[..] {
-            [only] => ["x", "y", "z"][only].to_owned(),
-            _ => {
-                let entry = |axis: usize| match q.coords[axis] / size {
-                    entry if entry > 0.0 => "1",
-                    entry if entry < 0.0 => "-1",
-                    _ => "0",
-                };
-                format!("[{}, {}, {}]", entry(0), entry(1), entry(2))
-            }
-        };
-        format!("{degrees}deg about {axis}")
+        let axis = entries.map(|entry| match entry {
+            entry if entry > 0.0 => "1",
+            entry if entry < 0.0 => "-1",
+            _ => "0",
+        });
+        match axis {
+            ["1", "0", "0"] => format!("{degrees}deg about x"),
+            ["0", "1", "0"] => format!("{degrees}deg about y"),
+            ["0", "0", "1"] => format!("{degrees}deg about z"),
+            ["-1", "0", "0"] => format!("-{degrees}deg about x"),
+            ["0", "-1", "0"] => format!("-{degrees}deg about y"),
+            ["0", "0", "-1"] => format!("-{degrees}deg about z"),
+            axis => format!("{degrees}deg about [{}]", axis.join(", ")),
+        }
     }
 
     /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
@@ -246,6 +247,22 @@ impl AxisMapping {
 }
 
 impl SignedAxis {
+    const ALL: [Self; 6] = [
+        Self::along(Axis::X),
+        Self::along(Axis::Y),
+        Self::along(Axis::Z),
+        Self::against(Axis::X),
+        Self::against(Axis::Y),
+        Self::against(Axis::Z),
+    ];
+
+    const fn against(axis: Axis) -> Self {
+        Self {
+            axis,
+            sense: Sense::Against,
+        }
+    }
+
     const fn along(axis: Axis) -> Self {
         Self {
             axis,

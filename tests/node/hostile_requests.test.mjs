@@ -58,6 +58,26 @@ const good = {
     language: "rust",
     unavailable: ["matrix"],
   }),
+  numbers: () => ({
+    view: "numbers",
+    numbers: "30 20 10",
+    quaternion: "0.8 0 0 0.6",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+  }),
+  matrices: () => ({
+    view: "matrices",
+    observations: [
+      { probe: "yawed", printed: "" },
+      { probe: "chain", a: "1 0 0 0 1 0 0 0 1", b: "1 0 0 0 1 0 0 0 1", printed: "" },
+      {
+        probe: "increment",
+        matrix: "0 -1 0 1 0 0 0 0 1",
+        rotationVector: "0.01 0 0",
+        printed: "",
+      },
+    ],
+  }),
 };
 
 function checkGoodCall() {

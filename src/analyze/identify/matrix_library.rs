@@ -28,34 +28,29 @@ const ROUNDINGS_OF_PRODUCT: f64 = 7.0;
 
 /// What can be said of a library of matrices, whatever was entered.
 pub(crate) fn identify_matrices(request: &MatricesRequest) -> MatricesReport {
-    let read: Vec<_> = request.observations.iter().map(Told::of).collect();
-    let told = read.iter().filter_map(|told| told.as_ref().ok()?.as_ref());
-    let told: Vec<&Told> = told.collect();
-    let possible: Vec<MatrixBehaviour> = MatrixBehaviour::all()
-        .filter(|behaviour| told.iter().all(|told| told.agrees_with(*behaviour)))
-        .collect();
-    let observations = request.observations.iter().zip(&read);
+    let mut possible = MatrixBehaviour::all();
+    let mut observations = Vec::new();
+    for probe in &request.observations {
+        let agreeing = |told: &Told, behaviours: &[MatrixBehaviour]| {
+            let mut agreeing = behaviours.to_vec();
+            agreeing.retain(|behaviour| told.agrees_with(*behaviour));
+            agreeing
+        };
+        observations.push(match Told::of(probe) {
+            _ if probe.printed().trim().is_empty() => MatrixObservationReport::Empty,
+            Err(problem) => MatrixObservationReport::Problem(ObservationProblem { problem }),
+            Ok(None) => MatrixObservationReport::Unexplained,
+            Ok(Some(told)) => {
+                possible = agreeing(&told, &possible);
+                let possible = agreeing(&told, &MatrixBehaviour::all()).len();
+                MatrixObservationReport::Told(MatrixTold { possible })
+            }
+        });
+    }
     MatricesReport {
-        observations: observations
-            .map(|(probe, read)| report(probe, read.as_ref()))
-            .collect(),
+        observations,
         possible: possible.len(),
         remaining: RemainingOfMatrices::of(&possible),
-    }
-}
-
-fn report(probe: &MatrixProbe, read: Result<&Option<Told>, &Problem>) -> MatrixObservationReport {
-    match read {
-        _ if probe.printed().trim().is_empty() => MatrixObservationReport::Empty,
-        Err(problem) => MatrixObservationReport::Problem(ObservationProblem {
-            problem: problem.clone(),
-        }),
-        Ok(None) => MatrixObservationReport::Unexplained,
-        Ok(Some(told)) => MatrixObservationReport::Told(MatrixTold {
-            possible: MatrixBehaviour::all()
-                .filter(|behaviour| told.agrees_with(*behaviour))
-                .count(),
-        }),
     }
 }
 
@@ -96,13 +91,12 @@ impl Told {
                 let increment = vector_of(rotation_vector)
                     .map_err(|fault| fault.in_field(Field::RotationVector))?;
                 let after = printed?;
-                let told = Direction::ALL.map(|operator| {
-                    let [before, after] = [before, after].map(|matrix| attitude(matrix, operator));
+                let told = |operator: Direction| {
+                    let (before, after) = (attitude(before, operator), attitude(after, operator));
                     increment_of(&before?, &after?, increment.into())
-                });
-                told.iter()
-                    .any(Option::is_some)
-                    .then_some(Self::Increment(told))
+                };
+                let told = [told(Direction::BodyToWorld), told(Direction::WorldToBody)];
+                (told != [None, None]).then_some(Self::Increment(told))
             }
         })
     }
@@ -112,11 +106,13 @@ impl Told {
         match self {
             Self::Operator(told) => *told == operator,
             Self::Function(told) => *told == behaviour.convention.function,
-            Self::Increment(told) => Direction::ALL
-                .into_iter()
-                .zip(told)
-                .filter(|(of, _)| *of == operator)
-                .any(|(_, told)| *told == Some((behaviour.perturbation, behaviour.increment_sign))),
+            Self::Increment([body_to_world, world_to_body]) => {
+                let told = match operator {
+                    Direction::BodyToWorld => body_to_world,
+                    Direction::WorldToBody => world_to_body,
+                };
+                *told == Some((behaviour.perturbation, behaviour.increment_sign))
+            }
         }
     }
 }

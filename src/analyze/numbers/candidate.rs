@@ -4,7 +4,6 @@
 //! clearly farther than the nearest.
 
 use crate::analyze::identify::observation::{ROUNDED_DECIMALS, decimals, half_unit};
-use crate::contract::{NumbersReport, Reading};
 
 /// Noise of single precision, in radians, after a few operations.
 const SINGLE_PRECISION_RAD: f64 = 1e-5;
@@ -16,12 +15,14 @@ pub(crate) const COARSEST_RAD: f64 = 0.0262;
 /// is certainly rounded.
 const CLEARLY_FARTHER: f64 = 3.0;
 
-/// More readings tell no more.
-const MOST_READINGS: usize = 12;
+/// How much half a unit of the last decimal of every number turns, at most: the four of a quaternion have
+/// norm 1, and the nine of a matrix norm √3.
+pub(crate) const HALF_UNIT_RAD: f64 = 4.0;
 
-/// One way to read numbers, beside the others.
+/// One way to read numbers, as it is compared with the others.
+#[derive(Clone, Copy)]
 pub(crate) struct Candidate {
-    pub(crate) reading: Reading,
+    /// How far the attitude is that it reads.
     pub(crate) off_rad: f64,
     /// How much half a unit of the last decimal of every number turns, at most.
     pub(crate) half_unit_rad: f64,
@@ -31,15 +32,11 @@ pub(crate) struct Candidate {
     pub(crate) rank: u8,
 }
 
-/// How much half a unit of the last decimal of every number turns, at most: the four of a quaternion have
-/// norm 1, and the nine of a matrix norm √3.
-pub(crate) const HALF_UNIT_RAD: f64 = 4.0;
-
 /// How far numbers may be from what was meant, by their last decimals.
 #[derive(Clone, Copy)]
 pub(crate) struct Rounding {
     /// Half a unit of the last decimal.
-    pub(crate) half_unit: f64,
+    half_unit: f64,
     /// Whether there are too many decimals for exact numbers, such as 0.5 or 30.
     is_certain: bool,
 }
@@ -59,50 +56,99 @@ impl Rounding {
     }
 
     /// Half a unit, or none of numbers that may be exact.
-    pub(crate) fn certain(self) -> f64 {
+    fn certain(self) -> f64 {
         if self.is_certain { self.half_unit } else { 0.0 }
     }
 }
 
-/// The candidates that fit, the most usual first, and then the others, the nearest first.
-pub(crate) fn judged(
-    candidates: Vec<Candidate>,
-    of_numbers: Rounding,
-    of_attitude: Rounding,
-) -> NumbersReport {
-    let rounded_rad = |candidate: &Candidate, numbers: f64, attitude: f64| {
-        let rounded_rad = numbers * candidate.half_unit_rad + attitude * HALF_UNIT_RAD;
-        rounded_rad.clamp(SINGLE_PRECISION_RAD, COARSEST_RAD)
-    };
-    let is_believed = |candidate: &Candidate| {
-        candidate.off_rad <= rounded_rad(candidate, of_numbers.half_unit, of_attitude.half_unit)
-    };
-    let believed = candidates.iter().filter(|candidate| is_believed(candidate));
-    let nearest_rad = believed
-        .map(|candidate| candidate.off_rad)
-        .fold(f64::INFINITY, f64::min);
-    let fits = |candidate: &Candidate| {
-        let certain_rad = rounded_rad(candidate, of_numbers.certain(), of_attitude.certain());
-        is_believed(candidate)
-            && candidate.off_rad <= certain_rad.max(CLEARLY_FARTHER * nearest_rad)
-    };
-    let (mut fitting, mut others): (Vec<_>, Vec<_>) = candidates.into_iter().partition(fits);
-    let lowest = fitting.iter().map(|candidate| candidate.class).min();
-    fitting.retain(|candidate| Some(candidate.class) == lowest);
-    fitting.sort_by_key(|candidate| candidate.rank);
-    others.sort_by(|one, other| one.off_rad.total_cmp(&other.off_rad));
-    let margin_deg = others.first().map(|nearest| nearest.reading.off_deg);
-    let count = fitting.len();
-    fitting.append(&mut others);
-    NumbersReport {
-        quaternion: None,
-        readings: fitting
-            .into_iter()
-            .take(MOST_READINGS)
-            .map(|candidate| candidate.reading)
-            .collect(),
-        fitting: count,
-        decides: count == 1,
-        margin_deg,
+/// How a candidate stands to the attitude; ordered as they are told.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Standing {
+    /// It fits: its rank.
+    Fits(u8),
+    /// It does not: how far off it is.
+    Off(f64),
+    /// It fits, and so does a simpler one.
+    Spared,
+}
+
+/// Which candidates fit.
+pub(crate) struct Judged {
+    standings: Vec<Standing>,
+    /// How many fit.
+    pub(crate) fitting: usize,
+    /// How far the nearest is that does not.
+    pub(crate) margin_rad: Option<f64>,
+}
+
+impl Judged {
+    pub(crate) fn of(
+        candidates: &[Candidate],
+        of_numbers: Rounding,
+        of_attitude: Rounding,
+    ) -> Self {
+        let rounded_rad = |half_unit_rad: f64, numbers: f64, attitude: f64| {
+            (numbers * half_unit_rad + attitude * HALF_UNIT_RAD)
+                .clamp(SINGLE_PRECISION_RAD, COARSEST_RAD)
+        };
+        let is_believed = |off_rad: f64, half_unit_rad: f64| {
+            off_rad <= rounded_rad(half_unit_rad, of_numbers.half_unit, of_attitude.half_unit)
+        };
+        let mut nearest_rad = f64::INFINITY;
+        for candidate in candidates {
+            if is_believed(candidate.off_rad, candidate.half_unit_rad) {
+                nearest_rad = nearest_rad.min(candidate.off_rad);
+            }
+        }
+        let fits = |candidate: &Candidate| {
+            let (numbers, attitude) = (of_numbers.certain(), of_attitude.certain());
+            let certain_rad = rounded_rad(candidate.half_unit_rad, numbers, attitude);
+            is_believed(candidate.off_rad, candidate.half_unit_rad)
+                && candidate.off_rad <= certain_rad.max(CLEARLY_FARTHER * nearest_rad)
+        };
+        let mut lowest = u8::MAX;
+        for candidate in candidates {
+            if fits(candidate) {
+                lowest = lowest.min(candidate.class);
+            }
+        }
+        let mut judged = Self {
+            standings: Vec::with_capacity(candidates.len()),
+            fitting: 0,
+            margin_rad: None,
+        };
+        for candidate in candidates {
+            let off_rad = candidate.off_rad;
+            judged.standings.push(if !fits(candidate) {
+                judged.margin_rad = Some(
+                    judged
+                        .margin_rad
+                        .map_or(off_rad, |least| least.min(off_rad)),
+                );
+                Standing::Off(off_rad)
+            } else if candidate.class > lowest {
+                Standing::Spared
+            } else {
+                judged.fitting += 1;
+                Standing::Fits(candidate.rank)
+            });
+        }
+        judged
+    }
+
+    /// The place of the next to be told: those that fit, the most usual first, and then the others, the
+    /// nearest first. None is told twice.
+    pub(crate) fn next(&mut self) -> Option<usize> {
+        let mut best: Option<(usize, Standing)> = None;
+        for (at, standing) in self.standings.iter().enumerate() {
+            // The first of equal ones.
+            let is_better = best.is_none_or(|(_, best)| *standing < best);
+            if *standing != Standing::Spared && is_better {
+                best = Some((at, *standing));
+            }
+        }
+        let (at, _) = best?;
+        self.standings[at] = Standing::Spared;
+        Some(at)
     }
 }

@@ -48,12 +48,12 @@ impl Printed {
         if let Ok(ParsedRotation::Quaternion(parsed)) = read {
             return orders(&parsed, declared.convention, span).map(Self::Four);
         }
-        let typed: Vec<f64> = typed_numbers(&without_names(text))
-            .iter()
-            .map(|number| nearest_double(number))
-            .collect();
-        match typed[..] {
-            [a, b, c] => Ok(Self::Three([a, b, c], unit_of(text))),
+        let typed = typed_numbers(&without_names(text));
+        match &typed[..] {
+            [a, b, c] => {
+                let numbers = [a, b, c].map(|number| nearest_double(number));
+                Ok(Self::Three(numbers, unit_of(text)))
+            }
             // Four that are none of a quaternion: why, its reader says.
             [_, _, _, _] => Err(read.err().unwrap_or_else(|| Fault::not_numbers(span, 4))),
             _ if typed.len() < 9 => Err(Fault::not_numbers(span, typed.len())),
@@ -65,16 +65,17 @@ impl Printed {
 /// The text with a space for every letter of a name, and for the digits behind it: no `32` of `float32` is a
 /// number. What follows a digit is an exponent or a unit.
 fn without_names(text: &str) -> String {
+    let mut plain = String::new();
     let mut before = ' ';
     let mut is_name = false;
-    let plain = text.chars().map(|character| {
-        let is_part = character.is_alphanumeric() || character == '_';
-        let is_first = character.is_alphabetic() && !before.is_ascii_digit() && before != '.';
-        is_name = is_part && (is_name || is_first);
+    for character in text.chars() {
+        let is_part = character.is_ascii_alphanumeric() || character == '_';
+        let is_after_number = before.is_ascii_digit() || before == '.';
+        is_name = is_part && (is_name || !character.is_ascii_digit() && !is_after_number);
         before = character;
-        if is_name { ' ' } else { character }
-    });
-    plain.collect()
+        plain.push(if is_name { ' ' } else { character });
+    }
+    plain
 }
 
 /// The unit that a text says of its numbers.
@@ -97,24 +98,20 @@ fn orders(
 ) -> Result<Vec<(ComponentOrder, Rotation)>, Fault> {
     let q = parsed.quaternion;
     let typed = parsed.order.array([q.w, q.i, q.j, q.k]);
-    let in_order = |order: ComponentOrder| {
-        let tagged = TaggedQuaternion::from_array(
-            typed,
-            Convention {
-                order,
-                ..convention
-            },
-        );
+    let mut orders = Vec::new();
+    for order in [parsed.order, parsed.order.other()] {
+        let in_order = Convention {
+            order,
+            ..convention
+        };
+        let tagged = TaggedQuaternion::from_array(typed, in_order);
         let rotation = Rotation::from_tagged(&tagged).map_err(|_| Fault::zero_quaternion(span))?;
-        Ok((order, rotation))
-    };
-    let is_told = parsed.order_source != OrderSource::Declared;
-    let other = (!is_told).then(|| parsed.order.other());
-    [Some(parsed.order), other]
-        .into_iter()
-        .flatten()
-        .map(in_order)
-        .collect()
+        orders.push((order, rotation));
+        if parsed.order_source != OrderSource::Declared {
+            break;
+        }
+    }
+    Ok(orders)
 }
 
 fn seen_matrix(entries: &Matrix3<f64>, span: Span) -> Result<SeenMatrix, Fault> {

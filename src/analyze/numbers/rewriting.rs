@@ -1,7 +1,6 @@
 //! A rewriting of any quaternion by names, such as `(-q2, q1, -q4, q3)`.
 
-use crate::analyze::numbers::candidate::Candidate;
-use crate::analyze::numbers::renamed::of_quaternion;
+use crate::analyze::numbers::renamed::Renamed;
 use crate::convention::Convention;
 use crate::convention::order::ComponentOrder;
 use crate::problem::is_too_long;
@@ -11,101 +10,97 @@ use crate::rotation::quaternion::TaggedQuaternion;
 /// What a rewriting is tried on, as an array of any order: no two of the numbers have the same size.
 const ANY: [f64; 4] = [-0.31, 0.52, 0.19, 0.77];
 
-/// A number of an array: its place, and 1 or −1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Place {
-    place: usize,
-    sign: f64,
-}
-
 /// The readings of four names; `None` where a text is no such names.
 ///
 /// Letters are components. Digits are places in the array of the declared order, counted from 0 where there
 /// is a 0, and from 1 otherwise.
-pub(crate) fn of_names(text: &str, convention: Convention) -> Option<Vec<Candidate>> {
-    let places = places(text, convention.order)?;
-    let tagged = |array| TaggedQuaternion::from_array(array, convention);
-    let any = Rotation::from_tagged(&tagged(ANY)).ok()?;
-    let rewritten = places.map(|Place { place, sign }| sign * ANY[place]);
-    let seen = [convention.order, convention.order.other()].map(|order| {
+pub(crate) fn of_names(text: &str, convention: Convention) -> Option<Renamed> {
+    let seen = rewritten(text, convention.order)?;
+    let tagged = |array, order| {
         let convention = Convention {
             order,
             ..convention
         };
-        let tagged = TaggedQuaternion::from_array(rewritten, convention);
-        Some((order, Rotation::from_tagged(&tagged).ok()?))
-    });
-    let seen: Vec<_> = seen.into_iter().flatten().collect();
-    let mut candidates = of_quaternion(&seen, &any, convention);
-    for candidate in &mut candidates {
-        // Not of the numbers on which it was tried.
-        candidate.reading.text = None;
+        Rotation::from_tagged(&TaggedQuaternion::from_array(array, convention)).ok()
+    };
+    let any = tagged(ANY, convention.order)?;
+    let mut orders = Vec::new();
+    for order in [convention.order, convention.order.other()] {
+        orders.push((order, tagged(seen, order)?));
     }
-    Some(candidates)
+    Some(Renamed::of_quaternion(orders, &any, convention))
 }
 
-fn places(text: &str, order: ComponentOrder) -> Option<[Place; 4]> {
+/// The numbers of [`ANY`] in the order and with the signs of the names.
+fn rewritten(text: &str, order: ComponentOrder) -> Option<[f64; 4]> {
     if is_too_long(text) {
         return None;
     }
-    let inside = text.rsplit(['=', '(']).next()?.to_lowercase();
-    let spaced = inside.replace('\u{2212}', "-").replace("- ", "-");
-    let names: Vec<&str> = if spaced.contains([',', ';']) {
-        spaced.split([',', ';']).collect()
+    let inside = text.rsplit(['=', '(']).next()?;
+    let plain = inside.replace('\u{2212}', "-").replace("- ", "-");
+    let marks: &[char] = if plain.contains(',') {
+        &[',']
     } else {
-        spaced.split_whitespace().collect()
+        &[' ', ';']
     };
-    let names: [Name; 4] = names
-        .into_iter()
-        .map(Name::of)
-        .collect::<Option<Vec<_>>>()?
-        .try_into()
-        .ok()?;
-    let digits = names.map(|name| name.letter.to_digit(10));
-    let first = u32::from(!digits.contains(&Some(0)));
-    let letters = order.array(['w', 'x', 'y', 'z']);
-    let place = |name: Name| match name.letter.to_digit(10) {
-        Some(digit) => usize::try_from(digit.checked_sub(first)?).ok(),
-        None => letters.iter().position(|letter| *letter == name.letter),
-    };
-    let mut places = [Place {
-        place: 0,
-        sign: 1.0,
-    }; 4];
-    let mut is_named = [false; 4];
-    for (found, name) in places.iter_mut().zip(names) {
-        found.place = place(name)?;
-        found.sign = name.sign;
-        let is_new = is_named.get_mut(found.place)?;
-        if std::mem::replace(is_new, true) {
-            return None;
+    let mut names = Vec::new();
+    for part in plain.split(marks) {
+        if !part.trim().is_empty() {
+            names.push(Name::of(part)?);
         }
     }
-    Some(places)
+    let names: [Name; 4] = names.try_into().ok()?;
+    let first = if names.iter().any(|name| name.letter == b'0') {
+        b'0'
+    } else {
+        b'1'
+    };
+    let letters = order.array([b'w', b'x', b'y', b'z']);
+    let mut rewritten = [0.0; 4];
+    let mut left = ANY;
+    for (number, name) in rewritten.iter_mut().zip(names) {
+        let place = if name.letter.is_ascii_digit() {
+            usize::from(name.letter.checked_sub(first)?)
+        } else {
+            letters.iter().position(|letter| *letter == name.letter)?
+        };
+        let size = std::mem::take(left.get_mut(place)?);
+        if size == 0.0 {
+            // It is named twice.
+            return None;
+        }
+        *number = name.sign * size;
+    }
+    Some(rewritten)
 }
 
 /// The name of a component with its sign: `-q2`, `q[1]`, `q.x`, `z`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 struct Name {
     sign: f64,
-    /// The letter of a component, or a digit.
-    letter: char,
+    /// The small letter of a component, or a digit.
+    letter: u8,
 }
 
 impl Name {
     fn of(text: &str) -> Option<Self> {
-        let letters: String = text.chars().filter(char::is_ascii_alphanumeric).collect();
-        let letter = letters.chars().last()?;
-        let before = letters.strip_suffix(letter)?;
+        let mut letters = Vec::new();
+        let mut sign = 1.0;
+        for byte in text.bytes() {
+            if byte == b'-' {
+                sign = -1.0;
+            } else if byte.is_ascii_alphanumeric() {
+                letters.push(byte.to_ascii_lowercase());
+            } else if !byte.is_ascii() {
+                return None;
+            }
+        }
+        let letter = letters.pop()?;
         let is_name = match letter {
-            'w' | 'x' | 'y' | 'z' => matches!(before, "" | "q" | "quat"),
-            '0'..='4' => matches!(before, "q" | "quat"),
+            b'w'..=b'z' => matches!(&letters[..], b"" | b"q" | b"quat"),
+            b'0'..=b'4' => matches!(&letters[..], b"q" | b"quat"),
             _ => false,
         };
-        let is_negative = text.contains('-');
-        is_name.then_some(Self {
-            sign: if is_negative { -1.0 } else { 1.0 },
-            letter,
-        })
+        is_name.then_some(Self { sign, letter })
     }
 }

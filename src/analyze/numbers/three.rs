@@ -13,209 +13,213 @@ use crate::convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequen
 use crate::rotation::Rotation;
 use crate::rotation::rotation_vector::AxisVector;
 use crate::text::mend::exact;
-use nalgebra::Vector3;
 
-const UNITS: [AngleUnit; 2] = [AngleUnit::Radians, AngleUnit::Degrees];
-
-/// The readings of three numbers, each with how far it is from the attitude; in one unit where it is known.
-pub(crate) fn of_three_numbers(
-    numbers: [f64; 3],
-    unit: Option<AngleUnit>,
-    attitude: &Rotation,
-) -> Vec<Candidate> {
-    let is_meant = |meaning: &NumbersMeaning| {
-        unit.is_none() || unit_of(meaning).is_none_or(|other| unit == Some(other))
-    };
-    meanings()
-        .filter(is_meant)
-        .filter_map(|meaning| Some((rotation(&meaning, numbers)?, meaning)))
-        .flat_map(|(rotation, meaning)| {
-            Direction::ALL.map(|direction| {
-                let described = match direction {
-                    Direction::BodyToWorld => *attitude,
-                    Direction::WorldToBody => attitude.inverse(),
-                };
-                candidate(
-                    &meaning,
-                    numbers,
-                    direction,
-                    rotation.angle_to_rad(&described),
-                )
-            })
-        })
-        .collect()
+/// What three numbers may be.
+#[derive(Clone, Copy)]
+enum Description {
+    /// The axis of each number, as they stand.
+    Euler(EulerSequence, [Axis; 3]),
+    RotationVector,
+    HalfAngle,
+    Gibbs,
+    ModifiedRodrigues,
 }
 
-fn candidate(
-    meaning: &NumbersMeaning,
-    numbers: [f64; 3],
+/// One reading: the unit is radians where there is none.
+#[derive(Clone, Copy)]
+struct Way {
+    description: Description,
+    unit: AngleUnit,
     direction: Direction,
-    off_rad: f64,
-) -> Candidate {
-    let in_order = !matches!(meaning, NumbersMeaning::EulerAngles { sequence, turns_about, .. }
-        if sequence.axes.axes() != *turns_about);
-    Candidate {
-        off_rad,
-        half_unit_rad: half_unit_rad(meaning),
-        class: u8::from(!in_order),
-        rank: u8::from(direction == Direction::WorldToBody),
-        reading: Reading {
-            meaning: meaning.clone(),
-            direction,
-            off_deg: off_rad.to_degrees(),
-            text: Some(text(meaning, numbers, direction)),
-        },
-    }
 }
 
-/// What three numbers may be, in order those first that have theirs.
-fn meanings() -> impl Iterator<Item = NumbersMeaning> {
-    let euler = |sequence: EulerSequence, turns_about: [Axis; 3]| {
-        UNITS.map(|unit| NumbersMeaning::EulerAngles {
-            sequence,
-            unit,
-            turns_about,
-        })
-    };
-    let in_order =
-        EulerSequence::all().flat_map(move |sequence| euler(sequence, sequence.axes.axes()));
-    let vectors = UNITS.into_iter().flat_map(|unit| {
-        [
-            NumbersMeaning::RotationVector { unit },
-            NumbersMeaning::HalfAngleVector { unit },
-        ]
-    });
-    let others = [
-        NumbersMeaning::GibbsVector,
-        NumbersMeaning::ModifiedRodrigues,
-    ];
-    // About axes that move, and backwards about those that stay: the latter stand above.
-    let out_of_order = EulerSequence::all()
-        .filter(|sequence| sequence.frame == EulerFrame::Intrinsic && !sequence.is_proper())
-        .flat_map(move |sequence| {
-            let [first, second, third] = sequence.axes.axes();
-            EulerAxes::ALL
-                .into_iter()
-                .map(EulerAxes::axes)
-                .filter(move |axes| axes[0] != axes[2])
-                .filter(move |axes| {
-                    *axes != [first, second, third] && *axes != [third, second, first]
-                })
-                .flat_map(move |axes| euler(sequence, axes))
-        });
-    in_order.chain(vectors).chain(others).chain(out_of_order)
+/// All readings of three numbers, beside an attitude.
+pub(crate) struct ThreeNumbers {
+    numbers: [f64; 3],
+    ways: Vec<Way>,
+    pub(crate) candidates: Vec<Candidate>,
 }
 
-const fn unit_of(meaning: &NumbersMeaning) -> Option<AngleUnit> {
-    match meaning {
-        NumbersMeaning::EulerAngles { unit, .. }
-        | NumbersMeaning::RotationVector { unit }
-        | NumbersMeaning::HalfAngleVector { unit } => Some(*unit),
-        _ => None,
-    }
-}
-
-/// The attitude that the numbers are.
-fn rotation(meaning: &NumbersMeaning, numbers: [f64; 3]) -> Option<Rotation> {
-    let in_radians = |unit: &AngleUnit| match unit {
-        AngleUnit::Radians => numbers,
-        AngleUnit::Degrees => numbers.map(degrees_in_radians),
-    };
-    match meaning {
-        NumbersMeaning::EulerAngles {
-            sequence,
-            unit,
-            turns_about,
-        } => {
-            let angles_rad = in_sequence(in_radians(unit), *sequence, *turns_about);
-            Rotation::from_euler_in(*unit, *sequence, angles_rad)
-        }
-        NumbersMeaning::RotationVector { unit } => {
-            AxisVector::RotationVector(in_radians(unit).into()).to_rotation()
-        }
-        NumbersMeaning::HalfAngleVector { unit } => {
-            AxisVector::HalfAngle(in_radians(unit).into()).to_rotation()
-        }
-        NumbersMeaning::GibbsVector => AxisVector::Gibbs(numbers.into()).to_rotation(),
-        NumbersMeaning::ModifiedRodrigues => {
-            AxisVector::ModifiedRodrigues(numbers.into()).to_rotation()
-        }
-        NumbersMeaning::Quaternion { .. } | NumbersMeaning::Matrix { .. } => return None,
-    }
-    .ok()
-}
-
-/// The numbers in the order of the turns.
-fn in_sequence(numbers: [f64; 3], sequence: EulerSequence, turns_about: [Axis; 3]) -> [f64; 3] {
-    if sequence.axes.axes() == turns_about {
-        // Also where an axis stands twice.
-        return numbers;
-    }
-    sequence.axes.axes().map(|axis| {
-        let mut pairs = turns_about.into_iter().zip(numbers);
-        pairs
-            .find(|(other, _)| *other == axis)
-            .map_or(0.0, |(_, number)| number)
-    })
-}
-
-/// How much half a unit of the last decimal of each of the three numbers turns, at most.
-fn half_unit_rad(meaning: &NumbersMeaning) -> f64 {
-    let per_unit_rad = match unit_of(meaning) {
-        Some(AngleUnit::Degrees) => degrees_in_radians(1.0),
-        _ => 1.0,
-    };
-    per_unit_rad
-        * match meaning {
-            NumbersMeaning::EulerAngles { .. } => 3.0,
-            NumbersMeaning::RotationVector { .. } => 2.0,
-            NumbersMeaning::HalfAngleVector { .. } | NumbersMeaning::GibbsVector => 4.0,
-            _ => 7.0,
-        }
-}
-
-/// The attitude in the words that the reader of texts knows: the numbers as they are, or for the inverse
-/// with the other sign, Euler angles backwards.
-fn text(meaning: &NumbersMeaning, numbers: [f64; 3], direction: Direction) -> String {
-    let is_inverse = direction == Direction::WorldToBody;
-    let sign = if is_inverse { -1.0 } else { 1.0 };
-    let mut numbers = Vector3::from(numbers).map(|number| sign * number).into();
-    let name = match meaning {
-        NumbersMeaning::EulerAngles {
-            sequence,
-            turns_about,
-            ..
-        } => {
-            numbers = in_sequence(numbers, *sequence, *turns_about);
-            let mut sequence = *sequence;
-            if is_inverse {
-                numbers.reverse();
-                sequence = backwards(sequence);
+impl ThreeNumbers {
+    /// In one unit where it is known.
+    pub(crate) fn of(numbers: [f64; 3], known: Option<AngleUnit>, attitude: &Rotation) -> Self {
+        let mut three = Self {
+            numbers,
+            ways: Vec::new(),
+            candidates: Vec::new(),
+        };
+        for unit in [AngleUnit::Radians, AngleUnit::Degrees] {
+            if known.is_some_and(|known| known != unit) {
+                continue;
             }
-            sequence.to_string()
+            for sequence in EulerSequence::all() {
+                let axes = sequence.axes.axes();
+                three.add(Description::Euler(sequence, axes), unit, attitude);
+                for other in EulerAxes::ALL {
+                    if is_in_another_order(sequence, other) {
+                        three.add(Description::Euler(sequence, other.axes()), unit, attitude);
+                    }
+                }
+            }
+            three.add(Description::RotationVector, unit, attitude);
+            three.add(Description::HalfAngle, unit, attitude);
         }
-        NumbersMeaning::RotationVector { .. } => "rotvec".to_owned(),
-        NumbersMeaning::HalfAngleVector { .. } => "halfangle".to_owned(),
-        NumbersMeaning::GibbsVector => "gibbs".to_owned(),
-        _ => "mrp".to_owned(),
-    };
-    let [a, b, c] = numbers.map(|number| exact(plain(number)));
-    let unit = match unit_of(meaning) {
-        Some(AngleUnit::Degrees) => " deg",
-        Some(AngleUnit::Radians) => " rad",
-        None => "",
-    };
-    format!("{name} {a} {b} {c}{unit}")
+        three.add(Description::Gibbs, AngleUnit::Radians, attitude);
+        three.add(Description::ModifiedRodrigues, AngleUnit::Radians, attitude);
+        three
+    }
+
+    fn add(&mut self, description: Description, unit: AngleUnit, attitude: &Rotation) {
+        let Some(described) = description.rotation(self.numbers, unit) else {
+            return;
+        };
+        for direction in Direction::ALL {
+            let attitude = match direction {
+                Direction::BodyToWorld => *attitude,
+                Direction::WorldToBody => attitude.inverse(),
+            };
+            self.ways.push(Way {
+                description,
+                unit,
+                direction,
+            });
+            self.candidates.push(Candidate {
+                off_rad: described.angle_to_rad(&attitude),
+                half_unit_rad: description.half_unit_rad() * in_radians(1.0, unit),
+                class: u8::from(!description.is_in_order()),
+                rank: u8::from(direction == Direction::WorldToBody),
+            });
+        }
+    }
+
+    /// What the candidate at a place is; how far off it is, is known there.
+    pub(crate) fn reading(&self, at: usize) -> Reading {
+        let way = self.ways[at];
+        Reading {
+            meaning: way.meaning(),
+            direction: way.direction,
+            off_deg: 0.0,
+            text: Some(way.text(self.numbers)),
+        }
+    }
 }
 
-/// The sequence of the inverse, whose turns are backwards one after the other.
-fn backwards(sequence: EulerSequence) -> EulerSequence {
+/// Whether angles about these axes are those of the sequence in another order than that of the turns. About
+/// axes that stay they would be those about axes that move, backwards.
+fn is_in_another_order(sequence: EulerSequence, axes: EulerAxes) -> bool {
     let [first, second, third] = sequence.axes.axes();
-    let axes = EulerAxes::ALL
-        .into_iter()
-        .find(|axes| axes.axes() == [third, second, first]);
-    EulerSequence {
-        axes: axes.unwrap_or(sequence.axes),
-        ..sequence
+    let other = axes.axes();
+    sequence.frame == EulerFrame::Intrinsic
+        && first != third
+        && other[0] != other[2]
+        && other != [first, second, third]
+        && other != [third, second, first]
+}
+
+fn in_radians(number: f64, unit: AngleUnit) -> f64 {
+    match unit {
+        AngleUnit::Radians => number,
+        AngleUnit::Degrees => degrees_in_radians(number),
+    }
+}
+
+impl Description {
+    fn is_in_order(self) -> bool {
+        !matches!(self, Self::Euler(sequence, axes) if sequence.axes.axes() != axes)
+    }
+
+    /// The attitude that the numbers are.
+    fn rotation(self, numbers: [f64; 3], unit: AngleUnit) -> Option<Rotation> {
+        let numbers = numbers.map(|number| in_radians(number, unit));
+        let vector = numbers.into();
+        let rotation = match self {
+            Self::Euler(sequence, _) => {
+                Rotation::from_euler_in(unit, sequence, self.in_sequence(numbers))
+            }
+            Self::RotationVector => AxisVector::RotationVector(vector).to_rotation(),
+            Self::HalfAngle => AxisVector::HalfAngle(vector).to_rotation(),
+            Self::Gibbs => AxisVector::Gibbs(vector).to_rotation(),
+            Self::ModifiedRodrigues => AxisVector::ModifiedRodrigues(vector).to_rotation(),
+        };
+        rotation.ok()
+    }
+
+    /// The numbers in the order of the turns.
+    fn in_sequence(self, numbers: [f64; 3]) -> [f64; 3] {
+        let Self::Euler(sequence, turns_about) = self else {
+            return numbers;
+        };
+        let mut left = turns_about.map(Some);
+        let mut sorted = [0.0; 3];
+        for (angle, axis) in sorted.iter_mut().zip(sequence.axes.axes()) {
+            // Of an axis that stands twice the first number first.
+            if let Some(at) = left.iter().position(|other| *other == Some(axis)) {
+                *angle = numbers[at];
+                left[at] = None;
+            }
+        }
+        sorted
+    }
+
+    /// How much half a unit of each of the three numbers, in radians, turns at most.
+    const fn half_unit_rad(self) -> f64 {
+        match self {
+            Self::Euler(..) => 3.0,
+            Self::RotationVector => 2.0,
+            Self::HalfAngle | Self::Gibbs => 4.0,
+            Self::ModifiedRodrigues => 7.0,
+        }
+    }
+}
+
+impl Way {
+    fn meaning(self) -> NumbersMeaning {
+        let unit = self.unit;
+        match self.description {
+            Description::Euler(sequence, turns_about) => NumbersMeaning::EulerAngles {
+                sequence,
+                unit,
+                turns_about,
+            },
+            Description::RotationVector => NumbersMeaning::RotationVector { unit },
+            Description::HalfAngle => NumbersMeaning::HalfAngleVector { unit },
+            Description::Gibbs => NumbersMeaning::GibbsVector,
+            Description::ModifiedRodrigues => NumbersMeaning::ModifiedRodrigues,
+        }
+    }
+
+    /// The attitude in words that are read: the numbers as they are, or for the inverse with the other sign,
+    /// Euler angles backwards.
+    fn text(self, numbers: [f64; 3]) -> String {
+        let mut numbers = self.description.in_sequence(numbers);
+        let mut axes = None;
+        if let Description::Euler(sequence, _) = self.description {
+            axes = Some(sequence);
+        }
+        if self.direction == Direction::WorldToBody {
+            numbers = numbers.map(|number| -number);
+            if let Some(sequence) = axes {
+                numbers.reverse();
+                axes = Some(sequence.backwards());
+            }
+        }
+        let name = match self.description {
+            Description::Euler(..) => "",
+            Description::RotationVector => "rotvec",
+            Description::HalfAngle => "halfangle",
+            Description::Gibbs => "gibbs",
+            Description::ModifiedRodrigues => "mrp",
+        };
+        let mut text = axes.map_or(name.to_owned(), |sequence| sequence.to_string());
+        for number in numbers {
+            text.push(' ');
+            text.push_str(&exact(plain(number)));
+        }
+        match (self.description, self.unit) {
+            (Description::Gibbs | Description::ModifiedRodrigues, _) => {}
+            (_, AngleUnit::Degrees) => text.push_str(" deg"),
+            (_, AngleUnit::Radians) => text.push_str(" rad"),
+        }
+        text
     }
 }

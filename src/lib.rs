@@ -98,7 +98,7 @@ pub use analyze::identify::recognition::{
 };
 pub use analyze::identify::standard_probes;
 pub use analyze::translate::describe_library;
-pub use contract::probe::{MatrixLayout, MatrixProbe, Probe, ProbeKind};
+pub use contract::probe::{MatrixLayout, Probe, ProbeKind};
 pub use contract::request::{
     ComposeRequest, IdentifyRequest, MatricesRequest, NumbersRequest, ReadRequest, Request,
     TranslateRequest,

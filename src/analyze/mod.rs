@@ -76,7 +76,9 @@ pub fn analyze(request: &Request) -> Outcome {
             translate(request).map(|report| Outcome::Translate(Box::new(report)))
         }
         Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
-        Request::Matrices(request) => Ok(Outcome::Matrices(Box::new(identify_matrices(request)))),
+        Request::Matrices(request) => identify_matrices(request)
+            .map(Outcome::Matrices)
+            .map_err(|problem| vec![problem]),
         Request::Numbers(request) => {
             numbers(request).map(|report| Outcome::Numbers(Box::new(report)))
         }

@@ -161,19 +161,12 @@ pub struct Contradiction {
 impl IdentifyReport {
     /// With every span counted in UTF-16 units of the text it points into.
     pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field, usize) -> String) -> Self {
-        for (at, problem) in self.problems_mut() {
-            problem.span = problem.span.in_utf16(&text_of(problem.field, at));
+        for (at, observation) in self.observations.iter_mut().enumerate() {
+            if let ObservationReport::Problem(ObservationProblem { problem, .. }) = observation {
+                problem.span = problem.span.in_utf16(&text_of(problem.field, at));
+            }
         }
         self
-    }
-
-    /// The problems, each with the place of its observation.
-    pub(crate) fn problems_mut(&mut self) -> impl Iterator<Item = (usize, &mut Problem)> {
-        let observations = self.observations.iter_mut().enumerate();
-        observations.filter_map(|(at, observation)| match observation {
-            ObservationReport::Problem(found) => Some((at, &mut found.problem)),
-            _ => None,
-        })
     }
 }
 
@@ -193,8 +186,7 @@ pub(crate) fn remaining(behaviours: &[Behaviour]) -> Remaining {
     }
 }
 
-/// The different values of some behaviours, in their order.
-pub(crate) fn values<Behaviour, Value: Copy + PartialEq>(
+fn values<Value: Copy + PartialEq>(
     behaviours: &[Behaviour],
     value: impl Fn(&Behaviour) -> Value,
 ) -> Vec<Value> {

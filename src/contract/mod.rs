@@ -53,8 +53,8 @@ pub enum Outcome {
     Identify(Box<IdentifyReport>),
     /// The answer to a [`Request::Numbers`](crate::Request::Numbers).
     Numbers(Box<NumbersReport>),
-    /// The answer to a [`Request::Matrices`](crate::Request::Matrices); problems of its texts are in it.
-    Matrices(Box<MatricesReport>),
+    /// The answer to a [`Request::Matrices`](crate::Request::Matrices).
+    Matrices(MatricesReport),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -202,8 +202,11 @@ impl Outcome {
                 Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
             }
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
-            Self::Matrices(report) => Self::Matrices(Box::new(report.in_utf16(text_of))),
-            Self::Read(_) | Self::Compose(_) | Self::Translate(_) | Self::Numbers(_) => self,
+            Self::Read(_)
+            | Self::Compose(_)
+            | Self::Translate(_)
+            | Self::Numbers(_)
+            | Self::Matrices(_) => self,
         }
     }
 }

@@ -34,6 +34,10 @@ pub struct Reading {
     /// Body to world where they describe the attitude itself; world to body where its inverse: that of
     /// the conjugate, or of the transposed matrix.
     pub direction: Direction,
+    /// The world axes that a quaternion or a matrix is on, where they are others.
+    pub world: Option<OtherAxes>,
+    /// The body axes that it is on, where they are others.
+    pub body: Option<OtherAxes>,
     /// The angle of the turn between the attitude and what the numbers are, read so.
     pub off_deg: f64,
     /// The attitude that the numbers are, read so, as a text that says all of it; absent where they are
@@ -78,19 +82,11 @@ pub enum NumbersMeaning {
     Quaternion {
         /// Where its scalar stands.
         order: ComponentOrder,
-        /// The world axes that it is on, where they are others.
-        world: Option<OtherAxes>,
-        /// The body axes that it is on, where they are others.
-        body: Option<OtherAxes>,
     },
     /// The entries of a matrix, row by row.
     Matrix {
         /// By what a matrix of columns of length 1 was multiplied.
         scale: f64,
-        /// The world axes that it is on, where they are others.
-        world: Option<OtherAxes>,
-        /// The body axes that it is on, where they are others.
-        body: Option<OtherAxes>,
     },
 }
 

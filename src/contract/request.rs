@@ -1,6 +1,6 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
-use crate::contract::probe::{MatrixProbe, Probe, ProbeKind};
+use crate::contract::probe::{Probe, ProbeKind};
 use crate::convention::Convention;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::matrix::MatrixConvention;
@@ -99,12 +99,26 @@ pub struct IdentifyRequest {
     pub unavailable: Vec<ProbeKind>,
 }
 
-/// What a library of rotation matrices printed.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// What a library of rotation matrices printed, nine numbers each, row by row, as the matrix multiplies a
+/// column. A text that is empty was not tried.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase", default)]
 pub struct MatricesRequest {
-    /// The observations in any order, of any kind and number.
-    pub observations: Vec<MatrixProbe>,
+    /// The matrix of a body that was turned by +90° about the world's z axis.
+    pub yawed: String,
+    /// Of three frames A, B and C, turned about different axes, that with the label A to B.
+    pub a: String,
+    /// That with the label B to C.
+    pub b: String,
+    /// That with the label A to C.
+    pub product: String,
+    /// A matrix to which a small turn is added, best that of `yawed`.
+    pub matrix: String,
+    /// The rotation vector that the library's own call adds to it, in radians, best about x.
+    pub rotation_vector: String,
+    /// What the call made of the matrix.
+    pub printed: String,
 }
 
 /// Numbers beside an attitude.

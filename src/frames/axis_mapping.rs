@@ -145,21 +145,6 @@ impl AxisMapping {
         all
     }
 
-    /// The mapping to whose matrix a matrix is so near that the largest entry of every row tells it.
-    pub(crate) fn nearest_to_matrix(matrix: &Matrix3<f64>) -> Option<Self> {
-        let mut mapping = Self::NONE;
-        for (signed, row) in mapping.axes.iter_mut().zip(matrix.row_iter()) {
-            let mut largest = 0.0_f64;
-            for other in SignedAxis::ALL {
-                let entry = other.sense.sign() * row[other.axis.index()];
-                if entry > largest {
-                    (largest, *signed) = (entry, other);
-                }
-            }
-        }
-        mapping.has_every_axis().then_some(mapping)
-    }
-
     fn has_every_axis(&self) -> bool {
         let [x, y, z] = self.axes.map(|signed| signed.axis);
         x != y && y != z && x != z
@@ -201,32 +186,33 @@ impl AxisMapping {
         reversed
     }
 
-    /// The turn whose matrix takes old coordinates to new ones, or of the mapping times −1 where that is
-    /// one, as a text: `180deg about x`.
+    /// The turn whose matrix takes old coordinates to new ones, or of the mapping times −1 where that is one.
+    pub(crate) fn turn(&self) -> Rotation {
+        Rotation::from_canonical(&self.quaternion())
+    }
+
+    /// The same turn as a text: `180deg about x`.
     pub(crate) fn turn_in_words(&self) -> String {
         let Quaternion { coords } = self.quaternion();
-        let entries = [coords.x, coords.y, coords.z];
-        let turned = entries.iter().filter(|entry| **entry != 0.0).count();
+        let mut axis = Vec::new();
+        let mut turned = 0;
+        for entry in [coords.x, coords.y, coords.z] {
+            turned += u8::from(entry != 0.0);
+            axis.push(if entry == 0.0 {
+                "0"
+            } else if entry > 0.0 {
+                "1"
+            } else {
+                "-1"
+            });
+        }
         let degrees = match (coords.w == 0.0, turned) {
             (_, 0) => "0",
             (true, _) => "180",
             (false, 1) => "90",
             (false, _) => "120",
         };
-        let axis = entries.map(|entry| match entry {
-            entry if entry > 0.0 => "1",
-            entry if entry < 0.0 => "-1",
-            _ => "0",
-        });
-        match axis {
-            ["1", "0", "0"] => format!("{degrees}deg about x"),
-            ["0", "1", "0"] => format!("{degrees}deg about y"),
-            ["0", "0", "1"] => format!("{degrees}deg about z"),
-            ["-1", "0", "0"] => format!("-{degrees}deg about x"),
-            ["0", "-1", "0"] => format!("-{degrees}deg about y"),
-            ["0", "0", "-1"] => format!("-{degrees}deg about z"),
-            axis => format!("{degrees}deg about [{}]", axis.join(", ")),
-        }
+        format!("{degrees}deg about [{}]", axis.join(", "))
     }
 
     /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
@@ -311,9 +297,7 @@ impl AxesChange {
             return Err(OneSidedReflection);
         }
         // The two factors −1 of mappings that change the hand cancel.
-        let world = Rotation::from_canonical(&self.world.quaternion());
-        let body = Rotation::from_canonical(&self.body.quaternion());
-        Ok(world * *attitude * body.inverse())
+        Ok(self.world.turn() * *attitude * self.body.turn().inverse())
     }
 }
 

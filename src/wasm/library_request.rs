@@ -1,6 +1,6 @@
 //! What Translate and Identify are asked, and of what numbers are, member by member.
 
-use crate::contract::probe::{MatrixProbe, Probe, ProbeKind};
+use crate::contract::probe::{Probe, ProbeKind};
 use crate::contract::request::{
     IdentifyRequest, MatricesRequest, NumbersRequest, TranslateRequest,
 };
@@ -12,7 +12,16 @@ pub(crate) const TRANSLATE: [&str; 6] =
     ["view", "quaternion", "from", "to", "worldAxes", "bodyAxes"];
 pub(crate) const IDENTIFY: [&str; 5] = ["view", "observations", "name", "language", "unavailable"];
 
-pub(crate) const MATRICES: [&str; 2] = ["view", "observations"];
+pub(crate) const MATRICES: [&str; 8] = [
+    "view",
+    "yawed",
+    "a",
+    "b",
+    "product",
+    "matrix",
+    "rotationVector",
+    "printed",
+];
 pub(crate) const NUMBERS: [&str; 5] = ["view", "numbers", "quaternion", "convention", "matrix"];
 
 pub(crate) fn numbers_request(request: &Members<'_>) -> Typed<NumbersRequest> {
@@ -78,48 +87,15 @@ pub(crate) fn identify_request(request: &Members<'_>) -> Typed<IdentifyRequest> 
 
 pub(crate) fn matrices_request(request: &Members<'_>) -> Typed<MatricesRequest> {
     request.only(&MATRICES)?;
+    let text = |name| request.text_or_empty(name);
     Ok(MatricesRequest {
-        observations: request
-            .list_of_objects("observations")?
-            .map(|members| matrix_probe(&members?))
-            .collect::<Typed<_>>()?,
-    })
-}
-
-fn matrix_probe(members: &Members<'_>) -> Typed<MatrixProbe> {
-    // Of all kinds, so that a misspelt `probe` is told before it is missed.
-    members.only(&["probe", "printed", "a", "b", "matrix", "rotationVector"])?;
-    let text = |name| members.text(name);
-    Ok(match &*members.word("probe")? {
-        "yawed" => {
-            members.only(&["probe", "printed"])?;
-            MatrixProbe::Yawed {
-                printed: text("printed")?,
-            }
-        }
-        "chain" => {
-            members.only(&["probe", "printed", "a", "b"])?;
-            MatrixProbe::Chain {
-                a: text("a")?,
-                b: text("b")?,
-                printed: text("printed")?,
-            }
-        }
-        "increment" => {
-            members.only(&["probe", "printed", "matrix", "rotationVector"])?;
-            MatrixProbe::Increment {
-                matrix: text("matrix")?,
-                rotation_vector: text("rotationVector")?,
-                printed: text("printed")?,
-            }
-        }
-        other => {
-            return Err(no_such_choice(
-                &members.path_to("probe"),
-                other,
-                &["yawed", "chain", "increment"],
-            ));
-        }
+        yawed: text("yawed")?,
+        a: text("a")?,
+        b: text("b")?,
+        product: text("product")?,
+        matrix: text("matrix")?,
+        rotation_vector: text("rotationVector")?,
+        printed: text("printed")?,
     })
 }
 

@@ -133,5 +133,7 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::RotationVector => "rotationVector",
         Field::Printed => "printed",
         Field::Numbers => "numbers",
+        Field::Yawed => "yawed",
+        Field::Product => "product",
     }
 }

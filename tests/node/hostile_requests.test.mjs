@@ -67,16 +67,13 @@ const good = {
   }),
   matrices: () => ({
     view: "matrices",
-    observations: [
-      { probe: "yawed", printed: "" },
-      { probe: "chain", a: "1 0 0 0 1 0 0 0 1", b: "1 0 0 0 1 0 0 0 1", printed: "" },
-      {
-        probe: "increment",
-        matrix: "0 -1 0 1 0 0 0 0 1",
-        rotationVector: "0.01 0 0",
-        printed: "",
-      },
-    ],
+    yawed: "0 -1 0 1 0 0 0 0 1",
+    a: "1 0 0 0 1 0 0 0 1",
+    b: "1 0 0 0 1 0 0 0 1",
+    product: "1 0 0 0 1 0 0 0 1",
+    matrix: "0 -1 0 1 0 0 0 0 1",
+    rotationVector: "0.01 0 0",
+    printed: "0 -1 0 1 0 0 0 0 1",
   }),
 };
 

@@ -102,7 +102,8 @@ test("the types are whole, for import and for require, and refuse what is wrong"
       // @ts-expect-error: not every meaning has a scale
       console.log(meaning.scale);
     }
-    console.log(identifyMatrices({ observations: [] }).possible satisfies number);
+    const matrices = identifyMatrices({ yawed: "0 -1 0 1 0 0 0 0 1" });
+    if (matrices.status === "matrices") console.log(matrices.operator satisfies string | undefined);
     // @ts-expect-error: no such probe
     identify({ observations: [{ probe: "half-turn", printed: "" }] });
   `;
@@ -224,12 +225,10 @@ test("three numbers are told beside a quaternion, and nine beside a matrix", () 
   assert.equal(reading.direction, "body-to-world");
   assert.equal(reading.text, "YXZ 301.32 314.45 65.83 deg");
   const rewriting = identifyNumbers({ numbers: "(-q2, q1, -q4, q3)", convention: HAMILTON });
-  assert.deepEqual(rewriting.readings[0].meaning, {
-    kind: "quaternion",
-    order: "scalar-first",
-    world: { axes: "x -y -z", factor: "180deg about x" },
-    body: undefined,
-  });
+  const [{ meaning, world, body }] = rewriting.readings;
+  assert.deepEqual(meaning, { kind: "quaternion", order: "scalar-first" });
+  assert.deepEqual(world, { axes: "x -y -z", factor: "180deg about [1, 0, 0]" });
+  assert.equal(body, undefined);
   const problem = identifyNumbers({ numbers: "🙂 1 2", quaternion, convention: HAMILTON });
   assert.equal(problem.problems[0].field, "numbers");
   // The emoji takes two UTF-16 units.
@@ -238,13 +237,19 @@ test("three numbers are told beside a quaternion, and nine beside a matrix", () 
 
 test("a library of matrices is told from what it printed", () => {
   const { identifyMatrices } = quatlas;
-  const yawed = (printed) => ({ probe: "yawed", printed });
-  const report = identifyMatrices({ observations: [yawed("0 1 0 -1 0 0 0 0 1"), yawed("🙂 oops")] });
-  assert.deepEqual(report.remaining.operator, ["world-to-body"]);
-  assert.equal(report.possible, 8);
-  const [told, problem] = report.observations;
-  assert.deepEqual(told, { status: "told", possible: 8 });
-  assert.equal(problem.problem.span.end, 2);
+  const told = identifyMatrices({
+    yawed: "0 1 0 -1 0 0 0 0 1",
+    matrix: "0 1 0 -1 0 0 0 0 1",
+    rotationVector: "0.1 0 0",
+    // Exp(−φ) on the left of R_BW: the body turned about its own x axis.
+    printed: "0 1 0 -0.995004 0 0.099833 0.099833 0 0.995004",
+  });
+  const { operator, function: does, perturbation, incrementSign } = told;
+  assert.equal(told.status, "matrices");
+  assert.deepEqual([operator, does], ["world-to-body", undefined]);
+  assert.deepEqual([perturbation, incrementSign], ["local", "physical"]);
+  const { problems } = identifyMatrices({ product: "🙂 oops" });
+  assert.deepEqual([problems[0].field, problems[0].span.end], ["product", 2]);
 });
 
 test("the table of libraries is exported, with what was printed", () => {

@@ -162,22 +162,19 @@ export function identifyNumbers(
 }
 
 /**
- * Which convention a library of rotation matrices uses, from what it printed.
+ * What a library of rotation matrices means, from what it printed; what is not told is left out.
  *
- * It always answers, as `identify`.
+ * What is typed never throws, see `analyze`.
  *
  * @example
  * // The matrix of a body that was turned by +90° about the world's z axis.
- * const { remaining } = identifyMatrices({
- *   observations: [{ probe: "yawed", printed: "[[0, 1, 0], [-1, 0, 0], [0, 0, 1]]" }],
- * });
- * remaining.operator; // ["world-to-body"]
+ * const { operator } = identifyMatrices({ yawed: "[[0, 1, 0], [-1, 0, 0], [0, 0, 1]]" });
+ * operator; // "world-to-body"
  */
-export function identifyMatrices(request: MatricesRequest): MatricesReport {
-  const { status: _, ...report } = answer(request, "matrices") as {
-    status: "matrices";
-  } & MatricesReport;
-  return report;
+export function identifyMatrices(
+  request: MatricesRequest,
+): ({ status: "matrices" } & MatricesReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "matrices") as ReturnType<typeof identifyMatrices>;
 }
 
 /** The value, in which nothing can be changed: one record serves all who ask for it. */

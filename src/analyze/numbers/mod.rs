@@ -69,7 +69,8 @@ pub(crate) fn numbers(request: &NumbersRequest) -> Result<NumbersReport, Vec<Pro
             report(&renamed.candidates, judged, &|at| renamed.reading(at))
         }
         Printed::Nine(seen) => {
-            let renamed = Renamed::of_matrix(&seen, &attitude.rotation, matrix.operator());
+            let operator = matrix.operator();
+            let renamed = Renamed::of_matrix(&seen.turn, seen.scale, &attitude.rotation, operator);
             let judged = judged(&renamed.candidates);
             report(&renamed.candidates, judged, &|at| renamed.reading(at))
         }

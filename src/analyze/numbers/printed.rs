@@ -11,10 +11,13 @@ use crate::decimal::nearest_double;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, is_too_long};
 use crate::rotation::Rotation;
+use crate::rotation::precise::Norm;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::text::mend::typed_numbers::typed_numbers;
 use crate::text::{ParsedQuaternion, ParsedRotation, parse_rotation, parse_vector};
 use nalgebra::Matrix3;
+
+const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 /// Numbers beside an attitude.
 pub(crate) enum Printed {
@@ -29,8 +32,8 @@ pub(crate) enum Printed {
 pub(crate) struct SeenMatrix {
     /// Negative where it is a reflection.
     pub(crate) scale: f64,
-    /// The matrix divided by that.
-    pub(crate) turn: Matrix3<f64>,
+    /// The matrix divided by that, as one body to world.
+    pub(crate) turn: Rotation,
 }
 
 impl Printed {
@@ -114,16 +117,19 @@ fn orders(
     Ok(orders)
 }
 
+/// Of a rotation times a number the norm is √3 times that.
 fn seen_matrix(entries: &Matrix3<f64>, span: Span) -> Result<SeenMatrix, Fault> {
-    let scale = libm::cbrt(entries.determinant());
+    let size = Norm::of(entries.as_slice()).value() / SQRT_3;
+    let scale = if entries.determinant() < 0.0 {
+        -size
+    } else {
+        size
+    };
     let divided = if scale.is_normal() {
         entries / scale
     } else {
         *entries
     };
-    let (_, rotation) = of_matrix(divided, MatrixConvention::BODY_TO_WORLD, span)?;
-    Ok(SeenMatrix {
-        scale,
-        turn: rotation.body_to_world_matrix(),
-    })
+    let (_, turn) = of_matrix(divided, MatrixConvention::BODY_TO_WORLD, span)?;
+    Ok(SeenMatrix { scale, turn })
 }

@@ -5,24 +5,20 @@
 //! whose rows and columns were exchanged or changed their signs.
 
 use crate::analyze::numbers::candidate::{COARSEST_RAD, Candidate, HALF_UNIT_RAD};
-use crate::analyze::numbers::printed::SeenMatrix;
 use crate::analyze::plain_numbers::{plain, rows3};
 use crate::contract::{NumbersMeaning, OtherAxes, Reading};
 use crate::convention::order::ComponentOrder;
 use crate::convention::{Convention, Direction};
 use crate::frames::axis_mapping::{AxesChange, AxesHand, AxisMapping};
 use crate::rotation::Rotation;
-use crate::rotation::distance::angle_between_rad;
-use crate::rotation::nearest::nearest;
 use crate::text::mend::{exact, rows_text};
-use nalgebra::Matrix3;
 
-/// What was seen beside an attitude.
+/// What was seen beside an attitude, and how its numbers are declared.
 enum Seen {
     /// In each order in which the four numbers may stand.
     Quaternion(Vec<(ComponentOrder, Rotation)>, Convention),
-    /// A matrix body to world, the scale that was taken out, and how it was declared.
-    Matrix(Matrix3<f64>, f64, Direction),
+    /// The turn of a matrix and its scale, negative where it is a reflection.
+    Matrix(Rotation, f64, Direction),
 }
 
 /// One way from an attitude R to what was seen: `A_W R A_Bᵀ`, of R or of its inverse.
@@ -47,125 +43,138 @@ impl Renamed {
         attitude: &Rotation,
         convention: Convention,
     ) -> Self {
-        let matrices: Vec<_> = orders
-            .iter()
-            .map(|(_, seen)| seen.body_to_world_matrix())
-            .collect();
-        Self::of(Seen::Quaternion(orders, convention), &matrices, attitude)
+        Self::of(Seen::Quaternion(orders, convention), attitude)
     }
 
-    /// Of nine numbers, which a convention with this operator reads.
-    pub(crate) fn of_matrix(seen: &SeenMatrix, attitude: &Rotation, operator: Direction) -> Self {
-        let body_to_world = match operator {
-            Direction::BodyToWorld => seen.turn,
-            Direction::WorldToBody => seen.turn.transpose(),
-        };
-        let matrix = body_to_world * seen.scale.signum();
-        let seen = Seen::Matrix(matrix, seen.scale.abs(), operator);
-        Self::of(seen, &[matrix], attitude)
+    /// Of nine numbers, which a convention with this operator reads: of a rotation body to world times a
+    /// scale, which is negative for a reflection.
+    pub(crate) fn of_matrix(
+        turn: &Rotation,
+        scale: f64,
+        attitude: &Rotation,
+        operator: Direction,
+    ) -> Self {
+        let turn = turned(turn, operator);
+        Self::of(Seen::Matrix(turn, scale, operator), attitude)
     }
 
-    fn of(seen: Seen, matrices: &[Matrix3<f64>], attitude: &Rotation) -> Self {
+    fn of(seen: Seen, attitude: &Rotation) -> Self {
         let mut renamed = Self {
             seen,
             ways: Vec::new(),
             candidates: Vec::new(),
         };
-        for (place, matrix) in matrices.iter().enumerate() {
+        let mut turns = Vec::new();
+        for axes in AxisMapping::all() {
+            if axes.hand() == AxesHand::Kept {
+                turns.push((axes, axes.turn()));
+            }
+        }
+        for (place, (seen, hand)) in renamed.seen.turns().into_iter().enumerate() {
             for direction in Direction::ALL {
-                renamed.add_all(place, matrix, direction, &attitude.matrix(direction));
+                let described = turned(attitude, direction);
+                for (world, world_turn) in &turns {
+                    // `A_W R A_Bᵀ` is what was seen where A_B is this.
+                    let left = seen.inverse() * *world_turn * described;
+                    let nearest = nearest_of(&turns, &left);
+                    for (body, body_turn) in &turns {
+                        let change = with_hand(*world, *body, hand);
+                        if !is_plain(&change) && *body != nearest {
+                            continue;
+                        }
+                        let off_rad = left.angle_to_rad(body_turn);
+                        if is_plain(&change) || off_rad <= COARSEST_RAD {
+                            let way = Way {
+                                place,
+                                direction,
+                                change,
+                            };
+                            renamed.candidates.push(way.candidate(off_rad));
+                            renamed.ways.push(way);
+                        }
+                    }
+                }
             }
         }
         renamed
     }
 
-    /// The plain ways, however far they lead off, and those over other axes that lead to the matrix.
-    fn add_all(
-        &mut self,
-        place: usize,
-        seen: &Matrix3<f64>,
-        direction: Direction,
-        described: &Matrix3<f64>,
-    ) {
-        let hand = if seen.determinant() > 0.0 {
-            AxesHand::Kept
-        } else {
-            AxesHand::Changed
-        };
-        for mapping in AxisMapping::all() {
-            let mut changes = [None, None];
-            if mapping.hand() == hand && is_plain(mapping) {
-                changes[0] = Some(AxesChange {
-                    body: mapping,
-                    ..AxesChange::NONE
-                });
-            }
-            if mapping.hand() == AxesHand::Kept {
-                // Of R A_Bᵀ = A_Wᵀ M.
-                let body = seen.transpose() * mapping.matrix() * described;
-                changes[1] = AxisMapping::nearest_to_matrix(&body)
-                    .map(|body| {
-                        with_fewest_signs(AxesChange {
-                            world: mapping,
-                            body,
-                        })
-                    })
-                    .filter(|change| !(change.world == AxisMapping::NONE && is_plain(change.body)));
-            }
-            for change in changes.into_iter().flatten() {
-                let way = Way {
-                    place,
-                    direction,
-                    change,
-                };
-                let off_rad = angle_between_rad(&way.there(described), seen);
-                if is_plain(change.body) && change.world == AxisMapping::NONE
-                    || off_rad <= COARSEST_RAD
-                {
-                    self.candidates.push(way.candidate(off_rad));
-                    self.ways.push(way);
-                }
-            }
-        }
-    }
-
     /// What the candidate at a place is; how far off it is, is known there.
     pub(crate) fn reading(&self, at: usize) -> Reading {
         let way = self.ways[at];
-        let (world, body) = (way.world(), way.body());
         let (meaning, text) = match &self.seen {
             Seen::Quaternion(orders, convention) => {
                 let (order, seen) = orders[way.place];
-                let back = way.back(&seen.body_to_world_matrix());
-                let text = back.map(|back| named(&back, *convention));
-                (NumbersMeaning::Quaternion { order, world, body }, text)
+                let text = named(&way.back(&seen), *convention);
+                (NumbersMeaning::Quaternion { order }, text)
             }
-            Seen::Matrix(matrix, scale, operator) => {
-                let back = way.back(matrix);
-                let text = back.map(|back| rows_text(&rows3(&back.matrix(*operator))));
-                let scale = *scale;
-                (NumbersMeaning::Matrix { scale, world, body }, text)
+            Seen::Matrix(turn, scale, operator) => {
+                let rows = rows3(&way.back(turn).matrix(*operator));
+                let scale = scale.abs();
+                (NumbersMeaning::Matrix { scale }, rows_text(&rows))
             }
         };
+        let AxesChange { world, body } = way.change;
         Reading {
             meaning,
             direction: way.direction,
+            world: way.other_axes(world, world),
+            body: way.other_axes(body, body.inverse()),
             off_deg: 0.0,
-            text,
+            text: Some(text),
         }
     }
 }
 
-/// Whether the axes are as they were, but for one that is reversed, or for all.
-fn is_plain(axes: AxisMapping) -> bool {
-    axes.keeps_places() && axes.reversed_axes() != 2
+impl Seen {
+    /// The turn in each order, and the hand that the axes have on one side and not on the other.
+    fn turns(&self) -> Vec<(Rotation, AxesHand)> {
+        let mut turns = Vec::new();
+        match self {
+            Self::Quaternion(orders, _) => {
+                for (_, turn) in orders {
+                    turns.push((*turn, AxesHand::Kept));
+                }
+            }
+            Self::Matrix(turn, scale, _) if *scale < 0.0 => turns.push((*turn, AxesHand::Changed)),
+            Self::Matrix(turn, _, _) => turns.push((*turn, AxesHand::Kept)),
+        }
+        turns
+    }
 }
 
-/// The same with both matrices times −1, where that reverses fewer axes.
-fn with_fewest_signs(change: AxesChange) -> AxesChange {
+/// The axes whose turn is the nearest: the cosine of half the angle between is the largest.
+fn nearest_of(turns: &[(AxisMapping, Rotation)], turn: &Rotation) -> AxisMapping {
+    let mut nearest = (AxisMapping::NONE, 0.0);
+    for (axes, other) in turns {
+        let other = other.canonical().coords;
+        let cosine = turn.canonical().coords.dot(&other).abs() / other.norm();
+        if cosine > nearest.1 {
+            nearest = (*axes, cosine);
+        }
+    }
+    nearest.0
+}
+
+/// The attitude or its inverse.
+fn turned(attitude: &Rotation, direction: Direction) -> Rotation {
+    match direction {
+        Direction::BodyToWorld => *attitude,
+        Direction::WorldToBody => attitude.inverse(),
+    }
+}
+
+/// The change by two turns, of which one side times −1 makes a reflection; both sides times −1 is the same, and
+/// is taken where it reverses fewer axes.
+fn with_hand(world: AxisMapping, body: AxisMapping, hand: AxesHand) -> AxesChange {
+    let body = match hand {
+        AxesHand::Kept => body,
+        AxesHand::Changed => body.opposite(),
+    };
+    let change = AxesChange { world, body };
     let opposite = AxesChange {
-        world: change.world.opposite(),
-        body: change.body.opposite(),
+        world: world.opposite(),
+        body: body.opposite(),
     };
     if reversed_axes(&opposite) < reversed_axes(&change) {
         opposite
@@ -178,20 +187,20 @@ fn reversed_axes(change: &AxesChange) -> u8 {
     change.world.reversed_axes() + change.body.reversed_axes()
 }
 
-impl Way {
-    /// What the attitude becomes, or its inverse.
-    fn there(&self, described: &Matrix3<f64>) -> Matrix3<f64> {
-        self.change.world.matrix() * described * self.change.body.matrix().transpose()
-    }
+/// Whether the axes are as they were, but for one of the body that is reversed, or for all.
+fn is_plain(change: &AxesChange) -> bool {
+    let hand_of_none = change.body.reversed_axes() != 2;
+    change.world == AxisMapping::NONE && change.body.keeps_places() && hand_of_none
+}
 
+impl Way {
     /// The attitude that was seen, on the axes of the attitude itself.
-    fn back(&self, seen: &Matrix3<f64>) -> Option<Rotation> {
+    fn back(&self, seen: &Rotation) -> Rotation {
         let AxesChange { world, body } = self.change;
-        let back = nearest(&(world.matrix().transpose() * seen * body.matrix()))?;
-        Some(match self.direction {
-            Direction::BodyToWorld => back,
-            Direction::WorldToBody => back.inverse(),
-        })
+        turned(
+            &(world.turn().inverse() * *seen * body.turn()),
+            self.direction,
+        )
     }
 
     /// The simplest first: other axes on one side or the same on both, then few that are reversed. Another
@@ -214,14 +223,6 @@ impl Way {
                 + 2 * reversed_axes(&self.change)
                 + u8::from(is_inverse),
         }
-    }
-
-    fn world(&self) -> Option<OtherAxes> {
-        self.other_axes(self.change.world, self.change.world)
-    }
-
-    fn body(&self) -> Option<OtherAxes> {
-        self.other_axes(self.change.body, self.change.body.inverse())
     }
 
     /// Where one side alone changes the hand, it has no factor that is a turn.

@@ -98,6 +98,8 @@ impl ThreeNumbers {
         Reading {
             meaning: way.meaning(),
             direction: way.direction,
+            world: None,
+            body: None,
             off_deg: 0.0,
             text: Some(way.text(self.numbers)),
         }

@@ -3,14 +3,14 @@
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     Direction, Field, Function, IncrementSign, MatricesReport, MatricesRequest, MatrixConvention,
-    MatrixObservationReport, MatrixProbe, Outcome, Perturbation, Request, analyze,
+    Outcome, Perturbation, Request, analyze,
 };
 use std::f64::consts::FRAC_PI_2;
 use wasm_bindgen_test::wasm_bindgen_test;
 
-fn identify(observations: Vec<MatrixProbe>) -> MatricesReport {
-    match analyze(&Request::Matrices(MatricesRequest { observations })) {
-        Outcome::Matrices(report) => *report,
+fn identify(request: MatricesRequest) -> MatricesReport {
+    match analyze(&Request::Matrices(request)) {
+        Outcome::Matrices(report) => report,
         other => panic!("{other:?}"),
     }
 }
@@ -68,29 +68,14 @@ impl Simulated {
         }
     }
 
-    fn yawed(&self) -> MatrixProbe {
-        MatrixProbe::Yawed {
-            printed: printed(&self.matrix(&turn(Vector3::z() * FRAC_PI_2))),
-        }
-    }
-
-    /// World, body and camera: the camera is rolled on the body.
-    fn chain(&self) -> MatrixProbe {
+    /// World, body and camera, which is rolled on the body; and a small turn of the yawed body.
+    fn prints(&self) -> MatricesRequest {
         let (body, camera) = (turn(Vector3::z() * FRAC_PI_2), turn(Vector3::x() * 0.8));
         let [wb, bc, wc] = [body, camera, body * camera].map(|matrix| self.matrix(&matrix));
         let [a, b] = match self.convention.direction {
             Direction::WorldToBody => [wb, bc],
             Direction::BodyToWorld => [bc, wb],
         };
-        MatrixProbe::Chain {
-            a: printed(&a),
-            b: printed(&b),
-            printed: printed(&wc),
-        }
-    }
-
-    fn increment(&self) -> MatrixProbe {
-        let body = turn(Vector3::z() * FRAC_PI_2);
         let small = turn(Vector3::x() * 0.01);
         let small = match self.sign {
             IncrementSign::Physical => small,
@@ -100,8 +85,12 @@ impl Simulated {
             Perturbation::Local => body * small,
             Perturbation::Global => small * body,
         };
-        MatrixProbe::Increment {
-            matrix: printed(&self.matrix(&body)),
+        MatricesRequest {
+            yawed: printed(&wb),
+            a: printed(&a),
+            b: printed(&b),
+            product: printed(&wc),
+            matrix: printed(&wb),
             rotation_vector: "0.01 0 0".to_owned(),
             printed: printed(&self.matrix(&after)),
         }
@@ -112,72 +101,65 @@ impl Simulated {
 fn sixteen_libraries_of_matrices_are_told() {
     let mut told = 0;
     for library in Simulated::all() {
-        let report = identify(vec![library.yawed(), library.chain(), library.increment()]);
-        assert_eq!(report.possible, 1, "{report:#?}");
-        let left = &report.remaining;
-        assert_eq!(left.function, [library.convention.function]);
-        assert_eq!(left.direction, [library.convention.direction]);
-        assert_eq!(
-            left.operator == [Direction::BodyToWorld],
-            library.is_body_to_world()
-        );
-        assert_eq!(left.perturbation, [library.perturbation]);
-        assert_eq!(left.increment_sign, [library.sign]);
-        let alone: Vec<usize> = report
-            .observations
-            .iter()
-            .map(|observation| match observation {
-                MatrixObservationReport::Told(told) => told.possible,
-                other => panic!("{other:?}"),
-            })
-            .collect();
-        // The increment alone leaves either operator, with the axes that belong to it.
-        assert_eq!(alone, [8, 8, 4]);
+        let report = identify(library.prints());
+        assert_eq!(report.function, Some(library.convention.function));
+        assert_eq!(report.direction, Some(library.convention.direction));
+        let is_body_to_world = report.operator == Some(Direction::BodyToWorld);
+        assert_eq!(is_body_to_world, library.is_body_to_world());
+        assert_eq!(report.perturbation, Some(library.perturbation));
+        assert_eq!(report.increment_sign, Some(library.sign));
+        // Without the yawed body it is not known what is before and what after.
+        let report = identify(MatricesRequest {
+            yawed: String::new(),
+            ..library.prints()
+        });
+        assert_eq!(report.function, Some(library.convention.function));
+        let others = (report.operator, report.direction, report.perturbation);
+        assert_eq!(others, (None, None, None));
         told += 1;
     }
     assert_eq!(told, 16);
 }
 
 #[wasm_bindgen_test(unsupported = test)]
-fn what_tells_nothing_of_matrices_says_so() {
-    let yawed = |printed: &str| MatrixProbe::Yawed {
-        printed: printed.to_owned(),
+fn what_tells_nothing_of_matrices_is_left_out() {
+    let rolled = "1 0 0 0 0 -1 0 1 0".to_owned();
+    let none = identify(MatricesRequest::default());
+    assert_eq!(
+        (none.operator, none.function, none.increment_sign),
+        (None, None, None)
+    );
+    // Turns about one axis, a body that is not yawed, and a matrix that stayed.
+    let report = identify(MatricesRequest {
+        yawed: rolled.clone(),
+        a: rolled.clone(),
+        b: rolled.clone(),
+        product: "1 0 0 0 -1 0 0 0 -1".to_owned(),
+        matrix: rolled.clone(),
+        rotation_vector: "0.01 0 0".to_owned(),
+        printed: rolled.clone(),
+    });
+    assert_eq!(report, none);
+    let problem = |request| match analyze(&Request::Matrices(request)) {
+        Outcome::Problems(problems) => problems.problems[0].field,
+        other => panic!("{other:?}"),
     };
-    let rolled = "1 0 0 0 0 -1 0 1 0";
-    let report = identify(vec![
-        yawed(""),
-        yawed(rolled),
-        MatrixProbe::Chain {
-            a: rolled.to_owned(),
-            b: rolled.to_owned(),
-            printed: "1 0 0 0 -1 0 0 0 -1".to_owned(),
-        },
-        yawed("0 0 1 0"),
-        MatrixProbe::Increment {
-            matrix: rolled.to_owned(),
+    let product = "0 0 1 0".to_owned();
+    assert_eq!(
+        problem(MatricesRequest {
+            product,
+            ..MatricesRequest::default()
+        }),
+        Field::Product
+    );
+    assert_eq!(
+        problem(MatricesRequest {
+            yawed: "0 -1 0 1 0 0 0 0 1".to_owned(),
+            matrix: rolled.clone(),
             rotation_vector: "0.01 0".to_owned(),
-            printed: rolled.to_owned(),
-        },
-    ]);
-    assert_eq!(report.possible, 16);
-    use MatrixObservationReport::{Empty, Problem, Unexplained};
-    let [
-        Empty,
-        Unexplained,
-        Unexplained,
-        Problem(printed),
-        Problem(turn),
-    ] = &report.observations[..]
-    else {
-        panic!("{report:#?}")
-    };
-    assert_eq!(printed.problem.field, Field::Printed);
-    assert_eq!(turn.problem.field, Field::RotationVector);
-    // One says body to world and the other the reverse.
-    let report = identify(vec![
-        yawed("0 -1 0; 1 0 0; 0 0 1"),
-        yawed("0 1 0; -1 0 0; 0 0 1"),
-    ]);
-    assert_eq!(report.possible, 0);
-    assert_eq!(report.remaining.operator, []);
+            printed: rolled,
+            ..MatricesRequest::default()
+        }),
+        Field::RotationVector
+    );
 }

@@ -116,11 +116,7 @@ fn whether_two_triples_are_one_attitude() {
 fn in_which_order_a_constructor_takes_four_numbers() {
     let given = "0.93120417, -0.22159990, 0.28939987, 0.00000000";
     let printed = "[[0.832495, -0.128262, 0.538981], [-0.128262, 0.901787, 0.412709], [-0.538981, -0.412709, 0.734282]]";
-    let order = |order| NumbersMeaning::Quaternion {
-        order,
-        world: None,
-        body: None,
-    };
+    let order = |order| NumbersMeaning::Quaternion { order };
     let report = numbers(given, printed);
     assert!(report.decides, "{report:#?}");
     assert_eq!(

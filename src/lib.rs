@@ -100,7 +100,8 @@ pub use analyze::identify::standard_probes;
 pub use analyze::translate::describe_library;
 pub use contract::probe::{MatrixLayout, Probe, ProbeKind};
 pub use contract::request::{
-    ComposeRequest, IdentifyRequest, ReadRequest, Request, TranslateRequest,
+    ComposeRequest, IdentifyRequest, MatricesRequest, NumbersRequest, ReadRequest, Request,
+    TranslateRequest,
 };
 pub use contract::*;
 pub use convention::angle::{AngleUnit, UnitSource};

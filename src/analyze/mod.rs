@@ -28,6 +28,9 @@ mod norm;
 // What a careful reader should know.
 mod notes;
 
+// Which description of an attitude numbers are.
+pub(crate) mod numbers;
+
 // Numbers as reports have them.
 mod plain_numbers;
 
@@ -49,6 +52,8 @@ mod vector;
 
 use crate::analyze::compose::compose;
 use crate::analyze::identify::identify;
+use crate::analyze::identify::matrix_library::identify_matrices;
+use crate::analyze::numbers::numbers;
 use crate::analyze::read::read;
 use crate::analyze::translate::translate;
 use crate::contract::request::Request;
@@ -81,6 +86,12 @@ pub fn analyze(request: &Request) -> Outcome {
             translate(request).map(|report| Outcome::Translate(Box::new(report)))
         }
         Request::Identify(request) => Ok(Outcome::Identify(Box::new(identify(request)))),
+        Request::Matrices(request) => identify_matrices(request)
+            .map(Outcome::Matrices)
+            .map_err(|problem| vec![problem]),
+        Request::Numbers(request) => {
+            numbers(request).map(|report| Outcome::Numbers(Box::new(report)))
+        }
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

@@ -16,6 +16,12 @@ pub(crate) mod identification;
 // What a careful reader should know.
 mod note;
 
+// What the identification of a library of matrices answers.
+mod matrices;
+
+// What numbers beside an attitude are.
+mod numbers;
+
 /// What was tried on a library.
 pub mod probe;
 
@@ -28,7 +34,9 @@ mod translation;
 pub use crate::contract::attitude::*;
 pub use crate::contract::found::*;
 pub use crate::contract::identification::*;
+pub use crate::contract::matrices::*;
 pub use crate::contract::note::*;
+pub use crate::contract::numbers::*;
 pub use crate::contract::translation::*;
 use crate::convention::{Convention, Direction};
 use crate::problem::{Field, Problem};
@@ -47,6 +55,10 @@ pub enum Outcome {
     Translate(Box<TranslateReport>),
     /// The answer to a [`Request::Identify`](crate::Request::Identify); problems of its texts are in it.
     Identify(Box<IdentifyReport>),
+    /// The answer to a [`Request::Numbers`](crate::Request::Numbers).
+    Numbers(Box<NumbersReport>),
+    /// The answer to a [`Request::Matrices`](crate::Request::Matrices).
+    Matrices(MatricesReport),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -194,7 +206,11 @@ impl Outcome {
                 Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
             }
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
-            Self::Read(_) | Self::Compose(_) | Self::Translate(_) => self,
+            Self::Read(_)
+            | Self::Compose(_)
+            | Self::Translate(_)
+            | Self::Numbers(_)
+            | Self::Matrices(_) => self,
         }
     }
 }

@@ -21,6 +21,10 @@ pub enum Request {
     Translate(TranslateRequest),
     /// Which convention does a library use?
     Identify(IdentifyRequest),
+    /// Which description of this attitude are these numbers?
+    Numbers(NumbersRequest),
+    /// Which convention does a library of matrices use?
+    Matrices(MatricesRequest),
 }
 
 /// One attitude and one vector.
@@ -95,6 +99,44 @@ pub struct IdentifyRequest {
     pub unavailable: Vec<ProbeKind>,
 }
 
+/// What a library of rotation matrices printed, nine numbers each, row by row, as the matrix multiplies a
+/// column. A text that is empty was not tried.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase", default)]
+pub struct MatricesRequest {
+    /// The matrix of a body that was turned by +90° about the world's z axis.
+    pub yawed: String,
+    /// Of three frames A, B and C, turned about different axes, that with the label A to B.
+    pub a: String,
+    /// That with the label B to C.
+    pub b: String,
+    /// That with the label A to C.
+    pub product: String,
+    /// A matrix to which a small turn is added, best that of `yawed`.
+    pub matrix: String,
+    /// The rotation vector that the library's own call adds to it, in radians, best about x.
+    pub rotation_vector: String,
+    /// What the call made of the matrix.
+    pub printed: String,
+}
+
+/// Numbers beside an attitude.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct NumbersRequest {
+    /// Three, four or nine numbers as a program printed them; or four names, each of a component, such
+    /// as `(-q2, q1, -q4, q3)`: the rewriting of any quaternion.
+    pub numbers: String,
+    /// The attitude, in any accepted form; beside four names it is not read.
+    pub quaternion: String,
+    /// What four numbers are declared to mean.
+    pub convention: Convention,
+    /// What nine numbers are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+}
+
 impl TranslateRequest {
     /// The request with the axes as they are.
     #[must_use]
@@ -118,6 +160,30 @@ impl IdentifyRequest {
             name: String::new(),
             language: Language::default(),
             unavailable: Vec::new(),
+        }
+    }
+}
+
+impl NumbersRequest {
+    /// The request with a matrix body to world.
+    ///
+    /// ```
+    /// use quatlas::{Convention, NumbersMeaning, NumbersRequest, Outcome, Request, analyze};
+    /// // A game engine turns about y, x and z, which move, and prints x, y, z from 0 to 360.
+    /// let q = "w=0.77781 x=-0.52878 y=-0.19588 z=0.27755";
+    /// let request = NumbersRequest::new("314.45, 301.32, 65.83", q, Convention::HAMILTON);
+    /// let Outcome::Numbers(report) = analyze(&Request::Numbers(request)) else { panic!("read") };
+    /// assert!(report.decides);
+    /// let NumbersMeaning::EulerAngles { sequence, .. } = report.readings[0].meaning else { panic!("angles") };
+    /// assert_eq!(sequence.to_string(), "YXZ");
+    /// ```
+    #[must_use]
+    pub fn new(numbers: &str, quaternion: &str, convention: Convention) -> Self {
+        Self {
+            numbers: numbers.to_owned(),
+            quaternion: quaternion.to_owned(),
+            convention,
+            matrix: MatrixConvention::default(),
         }
     }
 }

@@ -221,6 +221,18 @@ impl EulerSequence {
         }
     }
 
+    /// The sequence of the inverse, whose turns follow each other backwards.
+    pub(crate) fn backwards(self) -> Self {
+        let [first, second, third] = self.axes.axes();
+        let mut axes = self.axes;
+        for other in EulerAxes::ALL {
+            if other.axes() == [third, second, first] {
+                axes = other;
+            }
+        }
+        Self { axes, ..self }
+    }
+
     /// Whether both turn about the same axes, in whatever order.
     pub(crate) fn has_axes_of(self, other: Self) -> bool {
         let (own, others) = (self.axes.axes(), other.axes.axes());

@@ -129,6 +129,92 @@ impl AxisMapping {
         }
     }
 
+    /// All 48.
+    pub(crate) fn all() -> Vec<Self> {
+        let mut all = Vec::new();
+        for x in SignedAxis::ALL {
+            for y in SignedAxis::ALL {
+                for z in SignedAxis::ALL {
+                    let mapping = Self { axes: [x, y, z] };
+                    if mapping.has_every_axis() {
+                        all.push(mapping);
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    fn has_every_axis(&self) -> bool {
+        let [x, y, z] = self.axes.map(|signed| signed.axis);
+        x != y && y != z && x != z
+    }
+
+    /// Whether every new axis is the old one, or its opposite.
+    pub(crate) fn keeps_places(&self) -> bool {
+        self.axes.map(|signed| signed.axis) == Self::NONE.axes.map(|signed| signed.axis)
+    }
+
+    /// The new axes reversed, all three.
+    pub(crate) fn opposite(&self) -> Self {
+        Self {
+            axes: self.axes.map(|SignedAxis { axis, sense }| SignedAxis {
+                axis,
+                sense: match sense {
+                    Sense::Along => Sense::Against,
+                    Sense::Against => Sense::Along,
+                },
+            }),
+        }
+    }
+
+    /// The old axes in terms of the new.
+    pub(crate) fn inverse(&self) -> Self {
+        let mut inverse = Self::NONE;
+        for (new, SignedAxis { axis, sense }) in Self::NONE.axes.into_iter().zip(self.axes) {
+            inverse.axes[axis.index()] = SignedAxis { sense, ..new };
+        }
+        inverse
+    }
+
+    /// How many of the new axes are against old ones.
+    pub(crate) fn reversed_axes(&self) -> u8 {
+        let mut reversed = 0;
+        for signed in self.axes {
+            reversed += u8::from(signed.sense == Sense::Against);
+        }
+        reversed
+    }
+
+    /// The turn whose matrix takes old coordinates to new ones, or of the mapping times −1 where that is one.
+    pub(crate) fn turn(&self) -> Rotation {
+        Rotation::from_canonical(&self.quaternion())
+    }
+
+    /// The same turn as a text: `180deg about x`.
+    pub(crate) fn turn_in_words(&self) -> String {
+        let Quaternion { coords } = self.quaternion();
+        let mut axis = Vec::new();
+        let mut turned = 0;
+        for entry in [coords.x, coords.y, coords.z] {
+            turned += u8::from(entry != 0.0);
+            axis.push(if entry == 0.0 {
+                "0"
+            } else if entry > 0.0 {
+                "1"
+            } else {
+                "-1"
+            });
+        }
+        let degrees = match (coords.w == 0.0, turned) {
+            (_, 0) => "0",
+            (true, _) => "180",
+            (false, 1) => "90",
+            (false, _) => "120",
+        };
+        format!("{degrees}deg about [{}]", axis.join(", "))
+    }
+
     /// The quaternion of the mapping, or of the mapping times −1 where that is the rotation. Its norm
     /// is not 1, so it is exact: those of its components that are not 0 have one size, and the first
     /// of them is positive.
@@ -147,6 +233,22 @@ impl AxisMapping {
 }
 
 impl SignedAxis {
+    const ALL: [Self; 6] = [
+        Self::along(Axis::X),
+        Self::along(Axis::Y),
+        Self::along(Axis::Z),
+        Self::against(Axis::X),
+        Self::against(Axis::Y),
+        Self::against(Axis::Z),
+    ];
+
+    const fn against(axis: Axis) -> Self {
+        Self {
+            axis,
+            sense: Sense::Against,
+        }
+    }
+
     const fn along(axis: Axis) -> Self {
         Self {
             axis,
@@ -195,9 +297,7 @@ impl AxesChange {
             return Err(OneSidedReflection);
         }
         // The two factors −1 of mappings that change the hand cancel.
-        let world = Rotation::from_canonical(&self.world.quaternion());
-        let body = Rotation::from_canonical(&self.body.quaternion());
-        Ok(world * *attitude * body.inverse())
+        Ok(self.world.turn() * *attitude * self.body.turn().inverse())
     }
 }
 

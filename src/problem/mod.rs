@@ -52,6 +52,12 @@ pub enum Field {
     RotationVector,
     /// What an observed library printed.
     Printed,
+    /// Numbers beside an attitude.
+    Numbers,
+    /// The matrix that an observed library printed of a yawed body.
+    Yawed,
+    /// The matrix that an observed library printed of two turns.
+    Product,
 }
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.

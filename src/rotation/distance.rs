@@ -14,7 +14,8 @@
 
 use crate::rotation::Rotation;
 use crate::rotation::precise::Norm;
-use std::f64::consts::SQRT_2;
+use nalgebra::Matrix3;
+use std::f64::consts::{PI, SQRT_2};
 
 impl Rotation {
     /// The angle of the turn that leads from one attitude to the other, from 0 to π radians.
@@ -79,4 +80,13 @@ impl Rotation {
     pub fn shorter_quaternion_distance(&self, other: &Self) -> f64 {
         2.0 * libm::sin(self.angle_to_rad(other) / 4.0)
     }
+}
+
+/// The angle of the turn between two matrices, in radians; π where they are farther apart than turns are.
+pub(crate) fn angle_between_rad(one: &Matrix3<f64>, other: &Matrix3<f64>) -> f64 {
+    let sine_of_half = (one - other).norm() / SQRT_2 / 2.0;
+    if sine_of_half >= 1.0 {
+        return PI;
+    }
+    2.0 * libm::asin(sine_of_half)
 }

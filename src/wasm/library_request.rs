@@ -1,14 +1,38 @@
-//! What Translate and Identify are asked, member by member.
+//! What Translate and Identify are asked, and of what numbers are, member by member.
 
 use crate::contract::probe::{Probe, ProbeKind};
-use crate::contract::request::{IdentifyRequest, TranslateRequest};
+use crate::contract::request::{
+    IdentifyRequest, MatricesRequest, NumbersRequest, TranslateRequest,
+};
 use crate::library::endpoint::{ConventionEndpoint, Endpoint, LibraryEndpoint};
 use crate::wasm::members::{Members, Typed, no_such_choice};
-use crate::wasm::request::convention;
+use crate::wasm::request::{convention, matrix};
 
 pub(crate) const TRANSLATE: [&str; 6] =
     ["view", "quaternion", "from", "to", "worldAxes", "bodyAxes"];
 pub(crate) const IDENTIFY: [&str; 5] = ["view", "observations", "name", "language", "unavailable"];
+
+pub(crate) const MATRICES: [&str; 8] = [
+    "view",
+    "yawed",
+    "a",
+    "b",
+    "product",
+    "matrix",
+    "rotationVector",
+    "printed",
+];
+pub(crate) const NUMBERS: [&str; 5] = ["view", "numbers", "quaternion", "convention", "matrix"];
+
+pub(crate) fn numbers_request(request: &Members<'_>) -> Typed<NumbersRequest> {
+    request.only(&NUMBERS)?;
+    Ok(NumbersRequest {
+        numbers: request.text("numbers")?,
+        quaternion: request.text_or_empty("quaternion")?,
+        convention: convention(&request.object("convention")?)?,
+        matrix: matrix(request)?,
+    })
+}
 
 pub(crate) fn translate_request(request: &Members<'_>) -> Typed<TranslateRequest> {
     request.only(&TRANSLATE)?;
@@ -58,6 +82,20 @@ pub(crate) fn identify_request(request: &Members<'_>) -> Typed<IdentifyRequest> 
         name: request.text_or_empty("name")?,
         language: request.named_or_default("language")?,
         unavailable: request.list_of_named("unavailable")?,
+    })
+}
+
+pub(crate) fn matrices_request(request: &Members<'_>) -> Typed<MatricesRequest> {
+    request.only(&MATRICES)?;
+    let text = |name| request.text_or_empty(name);
+    Ok(MatricesRequest {
+        yawed: text("yawed")?,
+        a: text("a")?,
+        b: text("b")?,
+        product: text("product")?,
+        matrix: text("matrix")?,
+        rotation_vector: text("rotationVector")?,
+        printed: text("printed")?,
     })
 }
 

@@ -32,13 +32,18 @@ use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
+    crate::analyze::identify::matrix_library::identify_matrices,
     crate::analyze::identify::observation::LONGEST_TEXT_BYTES,
     crate::analyze::identify::{identify, standard_probes},
+    crate::analyze::numbers::numbers,
     crate::analyze::translate::{describe_library as described_library, translate},
     crate::contract::request::{IdentifyRequest, TranslateRequest},
     crate::contract::{IdentifyReport, ObservationReport},
     crate::library::endpoint::Endpoint,
-    crate::wasm::library_request::{IDENTIFY, TRANSLATE, identify_request, translate_request},
+    crate::wasm::library_request::{
+        IDENTIFY, MATRICES, NUMBERS, TRANSLATE, identify_request, matrices_request,
+        numbers_request, translate_request,
+    },
     crate::wasm::request::{COMPOSE, READ},
 };
 
@@ -47,7 +52,14 @@ const VIEW: &str = "view";
 const STATUS: &str = "status";
 
 #[cfg(feature = "libraries")]
-const VIEWS: [&str; 4] = ["read", "compose", "translate", "identify"];
+const VIEWS: [&str; 6] = [
+    "read",
+    "compose",
+    "translate",
+    "identify",
+    "numbers",
+    "matrices",
+];
 #[cfg(not(feature = "libraries"))]
 const VIEWS: [&str; 2] = ["read", "compose"];
 
@@ -99,14 +111,16 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
     match &*view {
         "read" => {
             let request = read_request(&members)?;
-            answer(&view, read(&request), &texts, |field| match field {
+            let answered = read(&request).map(|report| with_status(&view, &report));
+            answer(answered, &texts, &|field| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
             })
         }
         "compose" => {
             let request = compose_request(&members)?;
-            answer(&view, compose(&request), &texts, |field| match field {
+            let answered = compose(&request).map(|report| with_status(&view, &report));
+            answer(answered, &texts, &|field| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
@@ -115,7 +129,8 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "translate" => {
             let request: TranslateRequest = translate_request(&members)?;
-            answer(&view, translate(&request), &texts, |field| match field {
+            let answered = translate(&request).map(|report| with_status(&view, &report));
+            answer(answered, &texts, &|field| match field {
                 Field::WorldAxes => &request.world_axes,
                 Field::BodyAxes => &request.body_axes,
                 Field::From => id_of(&request.from),
@@ -132,6 +147,30 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
             });
             with_status(&view, &of_whole_texts(report, &texts))
         }
+        #[cfg(feature = "libraries")]
+        "matrices" => {
+            let request = matrices_request(&members)?;
+            let answered = identify_matrices(&request).map_err(|problem| vec![problem]);
+            let answered = answered.map(|report| with_status(&view, &report));
+            answer(answered, &texts, &|field| match field {
+                Field::A => &request.a,
+                Field::B => &request.b,
+                Field::Product => &request.product,
+                Field::Matrix => &request.matrix,
+                Field::RotationVector => &request.rotation_vector,
+                Field::Printed => &request.printed,
+                _ => &request.yawed,
+            })
+        }
+        #[cfg(feature = "libraries")]
+        "numbers" => {
+            let request = numbers_request(&members)?;
+            let answered = numbers(&request).map(|report| with_status(&view, &report));
+            answer(answered, &texts, &|field| match field {
+                Field::Numbers => &request.numbers,
+                _ => &request.quaternion,
+            })
+        }
         _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
     }
 }
@@ -146,7 +185,17 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     #[cfg(feature = "libraries")]
     if named.is_undefined() {
         // A misspelt `view` is told before it is missed.
-        members.only(&[&READ[..], &COMPOSE, &TRANSLATE, &IDENTIFY].concat())?;
+        members.only(
+            &[
+                &READ[..],
+                &COMPOSE,
+                &TRANSLATE,
+                &IDENTIFY,
+                &NUMBERS,
+                &MATRICES,
+            ]
+            .concat(),
+        )?;
     }
     let named = word(&named, VIEW)?;
     match asked {
@@ -157,28 +206,24 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     }
 }
 
-/// A report, or problems that count the units of the texts they point into.
+/// A report, or problems that count the units of the texts they point into. One function for all views: each
+/// writes its report before.
 fn answer<'request>(
-    view: &str,
-    answered: Result<impl Serialize, Vec<Problem>>,
+    answered: Result<Typed<JsValue>, Vec<Problem>>,
     texts: &Texts,
-    text_of: impl Fn(Field) -> &'request str,
+    text_of: &dyn Fn(Field) -> &'request str,
 ) -> Typed<JsValue> {
-    match answered {
-        Ok(report) => with_status(view, &report),
-        Err(problems) => {
-            let Problems { problems } =
-                Problems { problems }.in_utf16(|field| text_of(field).to_owned());
-            let problems = problems
-                .into_iter()
-                .map(|problem| {
-                    let member = member_of(problem.field);
-                    texts.of_whole_text(problem, member, MAX_TEXT_BYTES)
-                })
-                .collect();
-            with_status("problems", &Problems { problems })
-        }
+    let problems = match answered {
+        Ok(report) => return report,
+        Err(problems) => problems,
+    };
+    let Problems { mut problems } =
+        Problems { problems }.in_utf16(|field| text_of(field).to_owned());
+    for problem in &mut problems {
+        let member = member_of(problem.field);
+        *problem = texts.of_whole_text(problem.clone(), member, MAX_TEXT_BYTES);
     }
+    with_status("problems", &Problems { problems })
 }
 
 #[cfg(feature = "libraries")]

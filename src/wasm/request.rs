@@ -60,7 +60,7 @@ pub(crate) fn convention(members: &Members<'_>) -> Typed<Convention> {
     })
 }
 
-fn matrix(request: &Members<'_>) -> Typed<MatrixConvention> {
+pub(crate) fn matrix(request: &Members<'_>) -> Typed<MatrixConvention> {
     let Some(members) = request.object_if_any("matrix")? else {
         return Ok(MatrixConvention::default());
     };

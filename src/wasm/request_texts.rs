@@ -132,5 +132,8 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Matrix => "matrix",
         Field::RotationVector => "rotationVector",
         Field::Printed => "printed",
+        Field::Numbers => "numbers",
+        Field::Yawed => "yawed",
+        Field::Product => "product",
     }
 }

@@ -16,6 +16,7 @@ mod simulated;
 
 mod edges;
 mod identify;
+mod numbers;
 mod observations;
 mod rerun;
 mod table;

@@ -58,6 +58,23 @@ const good = {
     language: "rust",
     unavailable: ["matrix"],
   }),
+  numbers: () => ({
+    view: "numbers",
+    numbers: "30 20 10",
+    quaternion: "0.8 0 0 0.6",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+  }),
+  matrices: () => ({
+    view: "matrices",
+    yawed: "0 -1 0 1 0 0 0 0 1",
+    a: "1 0 0 0 1 0 0 0 1",
+    b: "1 0 0 0 1 0 0 0 1",
+    product: "1 0 0 0 1 0 0 0 1",
+    matrix: "0 -1 0 1 0 0 0 0 1",
+    rotationVector: "0.01 0 0",
+    printed: "0 -1 0 1 0 0 0 0 1",
+  }),
 };
 
 function checkGoodCall() {

@@ -52,6 +52,8 @@ test("import and require give the same instance", () => {
     "MY_LAB",
     "analyze",
     "identify",
+    "identifyMatrices",
+    "identifyNumbers",
     "libraries",
     "translate",
   ]);
@@ -78,7 +80,7 @@ test("the package has types, no install scripts and no dependencies", () => {
 });
 
 test("the types are whole, for import and for require, and refuse what is wrong", () => {
-  const program = `import { analyze, identify, JPL, libraries, type Outcome, translate } from "quatlas";
+  const program = `import { analyze, identify, identifyMatrices, identifyNumbers, JPL, libraries, type Outcome, translate } from "quatlas";
     const request = { view: "read", quaternion: "1 0 0 0", vector: "1 0 0" } as const;
     const outcome: Outcome = analyze({ ...request, convention: JPL });
     if (outcome.status === "read") {
@@ -93,6 +95,15 @@ test("the types are whole, for import and for require, and refuse what is wrong"
     if (translated.status === "translate") console.log(translated.to.array satisfies number[]);
     const { next } = identify({ observations: [{ probe: "quarter-turn", printed: "" }] });
     console.log(next?.code satisfies string | undefined);
+    const told = identifyNumbers({ numbers: "30 20 10", quaternion: "1 0 0 0", convention: JPL });
+    if (told.status === "numbers") {
+      const { meaning } = told.readings[0];
+      if (meaning.kind === "euler-angles") console.log(meaning.turnsAbout satisfies string[]);
+      // @ts-expect-error: not every meaning has a scale
+      console.log(meaning.scale);
+    }
+    const matrices = identifyMatrices({ yawed: "0 -1 0 1 0 0 0 0 1" });
+    if (matrices.status === "matrices") console.log(matrices.operator satisfies string | undefined);
     // @ts-expect-error: no such probe
     identify({ observations: [{ probe: "half-turn", printed: "" }] });
   `;
@@ -192,6 +203,53 @@ test("a small turn with the formal sign is told by the quarter turn", () => {
     [["conjugated"], ["local"], ["formal"]],
   );
   assert.equal(contradiction, undefined);
+});
+
+test("three numbers are told beside a quaternion, and nine beside a matrix", () => {
+  const { HAMILTON, identifyNumbers } = quatlas;
+  const quaternion = "w=0.77781 x=-0.52878 y=-0.19588 z=0.27755";
+  const told = identifyNumbers({
+    numbers: "314.45, 301.32, 65.83",
+    quaternion,
+    convention: HAMILTON,
+  });
+  assert.equal(told.status, "numbers");
+  const [reading] = told.readings;
+  assert.deepEqual([told.decides, told.fitting], [true, 1]);
+  assert.deepEqual(reading.meaning, {
+    kind: "euler-angles",
+    sequence: { axes: "yxz", frame: "intrinsic" },
+    unit: "degrees",
+    turnsAbout: ["x", "y", "z"],
+  });
+  assert.equal(reading.direction, "body-to-world");
+  assert.equal(reading.text, "YXZ 301.32 314.45 65.83 deg");
+  const rewriting = identifyNumbers({ numbers: "(-q2, q1, -q4, q3)", convention: HAMILTON });
+  const [{ meaning, world, body }] = rewriting.readings;
+  assert.deepEqual(meaning, { kind: "quaternion", order: "scalar-first" });
+  assert.deepEqual(world, { axes: "x -y -z", factor: "180deg about [1, 0, 0]" });
+  assert.equal(body, undefined);
+  const problem = identifyNumbers({ numbers: "🙂 1 2", quaternion, convention: HAMILTON });
+  assert.equal(problem.problems[0].field, "numbers");
+  // The emoji takes two UTF-16 units.
+  assert.equal(problem.problems[0].span.end, 6);
+});
+
+test("a library of matrices is told from what it printed", () => {
+  const { identifyMatrices } = quatlas;
+  const told = identifyMatrices({
+    yawed: "0 1 0 -1 0 0 0 0 1",
+    matrix: "0 1 0 -1 0 0 0 0 1",
+    rotationVector: "0.1 0 0",
+    // Exp(−φ) on the left of R_BW: the body turned about its own x axis.
+    printed: "0 1 0 -0.995004 0 0.099833 0.099833 0 0.995004",
+  });
+  const { operator, function: does, perturbation, incrementSign } = told;
+  assert.equal(told.status, "matrices");
+  assert.deepEqual([operator, does], ["world-to-body", undefined]);
+  assert.deepEqual([perturbation, incrementSign], ["local", "physical"]);
+  const { problems } = identifyMatrices({ product: "🙂 oops" });
+  assert.deepEqual([problems[0].field, problems[0].span.end], ["product", 2]);
 });
 
 test("the table of libraries is exported, with what was printed", () => {

@@ -6,6 +6,10 @@ import {
   type IdentifyRequest,
   initSync,
   type Library,
+  type MatricesReport,
+  type MatricesRequest,
+  type NumbersReport,
+  type NumbersRequest,
   type Outcome,
   type Problems,
   presets,
@@ -128,6 +132,49 @@ export function identify(request: IdentifyRequest): IdentifyReport {
     status: "identify";
   } & IdentifyReport;
   return report;
+}
+
+/**
+ * Which description of an attitude three, four or nine numbers are, or the problems of either text.
+ *
+ * Three are Euler angles in one of 24 sequences, in degrees or radians and in any order, or a vector along
+ * the axis; four a quaternion and nine a matrix, perhaps transposed, scaled, reflected or on other axes.
+ * Four names of components, `(-q2, q1, -q4, q3)`, are the rewriting of any quaternion. So an unknown
+ * function of three angles is told by one matrix that it made: of 30 20 10 no two readings are nearer to
+ * each other than 2.7°.
+ *
+ * @example
+ * // A game engine prints x, y, z from 0 to 360, and turns about y, x and z, which move.
+ * const { readings, decides } = identifyNumbers({
+ *   numbers: "314.45, 301.32, 65.83",
+ *   quaternion: "w=0.77781 x=-0.52878 y=-0.19588 z=0.27755",
+ *   convention: HAMILTON,
+ * });
+ * decides; // true: no other reading fits
+ * readings[0].meaning.sequence; // { axes: "yxz", frame: "intrinsic" }
+ * readings[0].meaning.turnsAbout; // ["x", "y", "z"]
+ * readings[0].text; // "YXZ 301.32 314.45 65.83 deg"
+ */
+export function identifyNumbers(
+  request: NumbersRequest,
+): ({ status: "numbers" } & NumbersReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "numbers") as ReturnType<typeof identifyNumbers>;
+}
+
+/**
+ * What a library of rotation matrices means, from what it printed; what is not told is left out.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // The matrix of a body that was turned by +90° about the world's z axis.
+ * const { operator } = identifyMatrices({ yawed: "[[0, 1, 0], [-1, 0, 0], [0, 0, 1]]" });
+ * operator; // "world-to-body"
+ */
+export function identifyMatrices(
+  request: MatricesRequest,
+): ({ status: "matrices" } & MatricesReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "matrices") as ReturnType<typeof identifyMatrices>;
 }
 
 /** The value, in which nothing can be changed: one record serves all who ask for it. */

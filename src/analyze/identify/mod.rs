@@ -3,6 +3,9 @@
 //! Every observation is compared with what each of the 256 behaviours prints; those remain that agree
 //! with all observations. The next probe is the one whose answer leaves the fewest, on average.
 
+// Which convention a library of matrices uses.
+pub(crate) mod matrix_library;
+
 // A probe as code.
 mod probe_code;
 

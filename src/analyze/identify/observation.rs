@@ -15,7 +15,7 @@ use crate::text::{
 use nalgebra::{Matrix3, Quaternion, Vector3};
 
 /// Fewer decimals than these are taken for exact in what went in, such as 0.5.
-const ROUNDED_DECIMALS: usize = 3;
+pub(crate) const ROUNDED_DECIMALS: usize = 3;
 
 /// No library prints more of one quaternion, vector or matrix; and all observations are read again with every
 /// letter, so that together they must not be long.
@@ -103,7 +103,6 @@ fn in_field(field: Field) -> impl Fn(Fault) -> Problem {
 /// How far the numbers may be rounded: half a unit of the last decimal, of what was printed and of
 /// what went in, whichever is more.
 pub(crate) fn rounding(probe: &Probe) -> f64 {
-    let half_unit = |decimals: usize| nearest_double(&format!("5e-{}", decimals + 1));
     let inputs = probe.inputs().into_iter();
     let rounded = inputs
         .map(decimals)
@@ -112,8 +111,20 @@ pub(crate) fn rounding(probe: &Probe) -> f64 {
     rounded.min().map_or(0.0, half_unit)
 }
 
+/// Half a unit of the last decimal of the text that has fewest, of those that are rounded.
+pub(crate) fn rounding_of(texts: &[&str]) -> f64 {
+    let decimals = texts.iter().map(|text| decimals(text));
+    let rounded = decimals.filter(|&decimals| decimals >= ROUNDED_DECIMALS);
+    rounded.min().map_or(0.0, half_unit)
+}
+
+/// Half a unit of the last of so many decimals.
+pub(crate) fn half_unit(decimals: usize) -> f64 {
+    nearest_double(&format!("5e-{}", decimals + 1))
+}
+
 /// The most digits that follow a point in a text.
-fn decimals(text: &str) -> usize {
+pub(crate) fn decimals(text: &str) -> usize {
     let digits = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
     let points = text.match_indices('.');
     points
@@ -131,7 +142,7 @@ fn measured(text: &str) -> Result<&str, Fault> {
     Ok(text)
 }
 
-fn vector_of(text: &str) -> Result<Vector3<f64>, Fault> {
+pub(crate) fn vector_of(text: &str) -> Result<Vector3<f64>, Fault> {
     parse_vector(measured(text)?)
 }
 
@@ -173,7 +184,8 @@ fn of_numbers(fault: Fault) -> Fault {
     }
 }
 
-fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
+/// The nine numbers of a matrix, whatever they are.
+pub(crate) fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
     let not_a_matrix = |what| Fault::not_a_matrix(Span::of_trimmed(text), what);
     let text = measured(text)?;
     if let Some(entries) = without_translation(text) {

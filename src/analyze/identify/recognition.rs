@@ -8,6 +8,7 @@ use crate::convention::angle::{AngleUnit, degrees_in_radians};
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::side::IncrementSign;
 use crate::convention::{Direction, Function, Perturbation};
+use crate::rotation::distance::angle_between_rad;
 use crate::rotation::{NoRotation, Rotation};
 use nalgebra::{Matrix3, Vector3};
 
@@ -99,15 +100,6 @@ impl EulerReading {
         found.sort_by(|(_, one), (_, other)| one.total_cmp(other));
         found
     }
-}
-
-/// The angle of the turn between two matrices, in radians; π where they are farther apart than turns are.
-fn angle_between_rad(one: &Matrix3<f64>, other: &Matrix3<f64>) -> f64 {
-    let sine_of_half = (one - other).norm() / std::f64::consts::SQRT_2 / 2.0;
-    if sine_of_half >= 1.0 {
-        return std::f64::consts::PI;
-    }
-    2.0 * libm::asin(sine_of_half)
 }
 
 /// Nothing that is not a number is within anything.

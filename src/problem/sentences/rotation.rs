@@ -189,6 +189,16 @@ impl Fault {
         })
     }
 
+    pub(crate) fn not_numbers(span: Span, found: usize) -> Self {
+        Self::told(ProblemCode::WrongCount, span, || {
+            Words::new(
+                format!("{} beside the attitude", numbers(found)),
+                "three, four or nine numbers, or four names of components",
+                "30 20 10, or (-q2, q1, -q4, q3)",
+            )
+        })
+    }
+
     pub(crate) fn one_angle(span: Span) -> Self {
         Self::new(
             ProblemCode::WrongCount,

@@ -95,7 +95,8 @@ pub(crate) fn rows_text(rows: &[[f64; 3]; 3]) -> String {
     rows.map(|row| row.map(exact).join(" ")).join("\n")
 }
 
-fn exact(number: f64) -> String {
+/// The shortest number that reads back as the same double, without a point where it is whole.
+pub(crate) fn exact(number: f64) -> String {
     let text = shortest(number);
     match text.strip_suffix(".0") {
         Some(whole) => whole.to_owned(),

@@ -48,7 +48,7 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
 
 /// Every number with the signs before it, also where spaces stand between them: a dash of any kind may
 /// be a minus. A plus that comes first changes nothing.
-fn typed_numbers(text: &str) -> Vec<String> {
+pub(crate) fn typed_numbers(text: &str) -> Vec<String> {
     let mut numbers = Vec::new();
     let mut signs = String::new();
     let mut rest = text;

@@ -5,6 +5,7 @@ mod behaviours;
 mod contradictions;
 mod increments;
 mod libraries;
+mod matrices;
 mod questions;
 mod thresholds;
 

@@ -40,7 +40,11 @@ pub(crate) fn numbers(request: &NumbersRequest) -> Result<NumbersReport, Vec<Pro
             ..rewriting.reading(at)
         }));
     }
-    let declared = Declared { convention, matrix };
+    let declared = Declared {
+        convention,
+        matrix,
+        library: None,
+    };
     let printed = Printed::of(text, declared).map_err(|fault| fault.in_field(Field::Numbers));
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
     let (printed, attitude) = match (printed, attitude) {

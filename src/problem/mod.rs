@@ -157,6 +157,9 @@ pub enum ProblemCode {
     UnmatchedBracket,
     /// A word that is not a number, a unit or a function.
     UnknownWord,
+    /// A label or a comment that names something else than the rotation, or another convention than is
+    /// declared.
+    OtherQuantity,
     /// Too few or too many numbers.
     WrongCount,
     /// A component that is named twice.

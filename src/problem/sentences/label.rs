@@ -6,7 +6,7 @@ use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 impl Fault {
     /// A label that names something else than what is wanted: `what`, in words.
     pub(crate) fn other_label(span: Span, name: &str, what: &str, wanted: Wanted) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
+        Self::told(ProblemCode::OtherQuantity, span, || {
             let (name, itself) = (shorten(name, QUOTED_CHARACTERS), itself(wanted));
             Words::new(
                 format!("{name} names {what}, not the {itself} itself"),
@@ -55,7 +55,7 @@ impl Fault {
 
     /// A label or a comment that names another convention than is declared: `what`, in words.
     pub(crate) fn told_otherwise(span: Span, what: &str) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
+        Self::told(ProblemCode::OtherQuantity, span, || {
             Words::new(
                 format!("these words say {what}, which is not what is declared"),
                 "numbers in the declared convention",

@@ -129,10 +129,6 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::Columns,
     ),
     ("rowmajor rows rowwise", LabelWord::Rows),
-    (
-        "viewmatrix modelview modelviewmatrix worldview lookatmatrix",
-        LabelWord::Direction(Direction::WorldToBody),
-    ),
     ("elements", LabelWord::Elements),
     (
         "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q \

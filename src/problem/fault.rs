@@ -104,10 +104,6 @@ impl Fault {
     }
 
     /// With the texts of which one has to be chosen; a build without the sentences looks for none.
-    #[expect(
-        dead_code,
-        reason = "for the first text that asks which rotation is meant"
-    )]
     pub(crate) fn offering(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
         Self {
             choices: suggestions(find),

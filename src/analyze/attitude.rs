@@ -24,9 +24,8 @@ use crate::problem::{ProblemCode, is_too_long};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
-use crate::text::mend::meanings::meanings;
 use crate::text::mend::unit::{self, UnitTexts};
-use crate::text::mend::with_suggestion;
+use crate::text::mend::{meanings, with_suggestion};
 use crate::text::{
     ParsedQuaternion, ParsedRotation, RotationText, RowMarks, parse_rotation, read_rotation,
 };

@@ -12,7 +12,7 @@ use crate::rotation::Rotation;
 use crate::rotation::nearest::NoNearestRotation;
 use crate::rotation::precise::{times_power_of_two, working_scale};
 use crate::rotation::tagged_matrix::TaggedMatrix;
-use crate::text::mend::rows_text;
+use crate::text::mend::number_text::rows_text;
 use nalgebra::{Matrix3, Vector3};
 
 /// A matrix this far from the nearest rotation (Frobenius norm) is not one with rounded entries: two

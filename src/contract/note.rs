@@ -21,7 +21,6 @@ pub struct Note {
     pub stops: bool,
     /// Texts to write instead, where what is meant can be said in one: the likeliest first, mostly none.
     /// Only with the feature `whole`.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Suggestion[]"))]
     pub suggestions: Suggestions,
 }
 

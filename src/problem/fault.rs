@@ -104,7 +104,6 @@ impl Fault {
     }
 
     /// With the texts of which one has to be chosen; a build without the sentences looks for none.
-    #[cfg(feature = "whole")]
     pub(crate) fn offering(self, find: impl FnOnce() -> Vec<Suggestion>) -> Self {
         Self {
             choices: suggestions(find),

@@ -196,6 +196,8 @@ pub enum ProblemCode {
     ZeroAxis,
     /// Letters that are no Euler sequence, or angles without a sequence.
     UnknownSequence,
+    /// Numbers that mean one of two things, which only a word can tell.
+    TwoMeanings,
     /// Degrees and radians in one rotation, or a unit at some of its angles only.
     MixedUnits,
     /// Several rotations, of which one has to be chosen.
@@ -250,7 +252,6 @@ pub struct Problem {
     pub suggestion: Option<Box<Suggestion>>,
     /// The texts of which a reader has to choose one, in the order in which they are offered, where what
     /// is meant is a question, as of several rotations; mostly none. Where and when as the suggestion.
-    #[cfg_attr(target_arch = "wasm32", tsify(type = "Suggestion[]"))]
     pub choices: Suggestions,
 }
 

@@ -63,6 +63,11 @@ const VIEWS: [&str; 6] = [
 #[cfg(not(feature = "libraries"))]
 const VIEWS: [&str; 2] = ["read", "compose"];
 
+/// What the alias of Rust, which is another one in each build, is in TypeScript.
+#[wasm_bindgen(typescript_custom_section)]
+const SUGGESTIONS: &str = "/** Several of them, in the order in which they are offered. */
+export type Suggestions = Suggestion[];";
+
 /// The named conventions.
 #[derive(Serialize, tsify::Tsify)]
 #[serde(rename_all = "camelCase")]

@@ -123,6 +123,32 @@ test("numbers that are edited on the page are a quaternion of whatever norm", as
   await expect(stops(page)).toHaveCount(0);
 });
 
+test("of a text with two meanings one is chosen, by keyboard, and taken back", async ({ page }) => {
+  await page.goto("/");
+  await quaternionField(page).fill("[0, 0, 1] 0.7");
+  const buttons = page.locator(".problem-help .fix");
+  await expect(buttons.locator(".fix-label")).toHaveText(["Axis and angle", "A quaternion"]);
+  await expect(buttons.locator(".fix-text")).toHaveText([
+    "axis-angle [0, 0, 1] 0.7",
+    "q = [0, 0, 1] 0.7",
+  ]);
+  // No key chooses.
+  await expect(page.locator("[aria-keyshortcuts='Alt+Enter']")).toHaveCount(0);
+  await quaternionField(page).focus();
+  await page.keyboard.press("Alt+Enter");
+  await expect(quaternionField(page)).toHaveValue("[0, 0, 1] 0.7");
+  expect(await violationsOf(page)).toEqual([]);
+  await tabTo(page, buttons.last());
+  await page.keyboard.press("Enter");
+  await expect(quaternionField(page)).toHaveValue("q = [0, 0, 1] 0.7");
+  await expect(quaternionField(page)).toBeFocused();
+  await expect(page.locator(".notes")).toContainText("The norm is 1.220656");
+  await page.keyboard.press("ControlOrMeta+z");
+  await expect(buttons).toHaveCount(2);
+  await buttons.first().click();
+  await expect(quaternionField(page)).toHaveValue("axis-angle [0, 0, 1] 0.7");
+});
+
 test("zeros that were rounded and millimetres are refused, with the norm", async ({ page }) => {
   await page.goto("/");
   const problem = page.locator(".problem-message");

@@ -83,21 +83,21 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     // An axis and its angle, or a quaternion that is not normalised.
     (
         "(array([0., 0., 1.]), 1.5707963267948966)",
-        ProblemCode::Unexpected,
+        ProblemCode::TwoMeanings,
         "(array([0., 0., 1.]), 1.5707963267948966)",
     ),
     (
         "(1.57, [0, 0, 1])",
-        ProblemCode::Unexpected,
+        ProblemCode::TwoMeanings,
         "(1.57, [0, 0, 1])",
     ),
     (
         "Quaternion(1.57, [0, 0, 1])",
-        ProblemCode::Unexpected,
+        ProblemCode::TwoMeanings,
         "Quaternion(1.57, [0, 0, 1])",
     ),
-    ("321 30 20 10", ProblemCode::UnknownSequence, "321"),
-    ("[313, 30, 20, 10]", ProblemCode::UnknownSequence, "313"),
+    ("321 30 20 10", ProblemCode::TwoMeanings, "321"),
+    ("[313, 30, 20, 10]", ProblemCode::TwoMeanings, "313"),
     // Which of two rotations is meant is not said.
     (
         r#"<origin rpy="0 0 1"/> <origin rpy="0 0 2"/>"#,

@@ -38,6 +38,9 @@ fn a_norm_outside_0_9_to_1_1_stops_the_reader() {
         "3 [0, 0, 4]",
         "{\"pose\": [1.0, 2.0, 0.0, 1.57]}",
         "quality: 3 0 0 4",
+        // As X3D and VRML have it, an axis and an angle.
+        "rotation: 0 0 1 1.5708",
+        "orientation: 0 0 1 1.5708",
         "1.7e308 1.7e308 0 0",
     ] {
         assert!(is_far(text), "{text}");
@@ -53,7 +56,8 @@ fn the_norm_of_what_says_to_be_a_quaternion_is_only_told() {
         "q = [1, 2, 3, 4]",
         "q_wb: 1 2 3 4",
         "qBody = 1 2 3 4",
-        "robot.orientation: 1 2 3 4",
+        "robot.orientation.x: 2 robot.orientation.y: 3 robot.orientation.z: 4 robot.orientation.w: 1",
+        "rotation: {x: 1, y: 2, z: 3, w: 4}",
         "qw: 1 qx: 2 qy: 3 qz: 4",
         "orientation:\n  x: 1\n  y: 2\n  z: 3\n  w: 4",
         "position: {x: 1, y: 2, z: 3}\norientation: {x: 0, y: 0, z: 3, w: 4}",
@@ -229,6 +233,42 @@ fn numbers_by_name_of_a_norm_of_hundreds_are_no_quaternion() {
     assert!(is_far("x=0 y=60 z=80 w=0"));
     assert!(is_far("30 40 120 0"));
     assert!(!is_far(&format!("quaternion {text}")));
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn numbers_of_two_meanings_are_a_choice_and_each_text_says_which() {
+    use Remedy::{AsAxisAngle, AsEulerAngles, AsQuaternion};
+    for (text, first, second) in [
+        (
+            "[0, 0, 1] 0.7",
+            (AsAxisAngle, "axis-angle [0, 0, 1] 0.7"),
+            (AsQuaternion, "q = [0, 0, 1] 0.7"),
+        ),
+        (
+            "(1.57, [0, 0, 1])",
+            (AsAxisAngle, "axis-angle (1.57, [0, 0, 1])"),
+            (AsQuaternion, "quaternion: (1.57, [0, 0, 1])"),
+        ),
+        (
+            "[321, 30, 20, 10]",
+            (AsEulerAngles, "[3-2-1, 30, 20, 10]"),
+            (AsQuaternion, "quaternion [321, 30, 20, 10]"),
+        ),
+    ] {
+        let found = problem(Field::Quaternion, text);
+        assert_eq!(
+            (found.code, found.suggestion),
+            (ProblemCode::TwoMeanings, None)
+        );
+        let choices = found.choices.iter();
+        let choices: Vec<_> = choices.map(|found| (found.remedy, &*found.text)).collect();
+        assert_eq!(choices, [first, second], "{text}");
+        // They are two: neither is what the other is.
+        assert!(
+            attitude(first.1).angle_to_rad(&attitude(second.1)) > 0.1,
+            "{text}"
+        );
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -11,7 +11,7 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::{Convention, Direction};
 use crate::frames::axis_mapping::{AxesChange, AxesHand, AxisMapping};
 use crate::rotation::Rotation;
-use crate::text::mend::{exact, rows_text};
+use crate::text::mend::number_text::{exact, rows_text};
 
 /// What was seen beside an attitude, and how its numbers are declared.
 enum Seen {

@@ -12,7 +12,7 @@ use crate::convention::angle::{AngleUnit, degrees_in_radians};
 use crate::convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence};
 use crate::rotation::Rotation;
 use crate::rotation::rotation_vector::AxisVector;
-use crate::text::mend::exact;
+use crate::text::mend::number_text::exact;
 
 /// What three numbers may be.
 #[derive(Clone, Copy)]

@@ -17,7 +17,7 @@ impl Fault {
 
     pub(crate) fn sequence_or_number(span: Span) -> Self {
         Self::new(
-            ProblemCode::UnknownSequence,
+            ProblemCode::TwoMeanings,
             span,
             "this may be the first number of a quaternion, or an Euler sequence",
             "a sequence with dashes, or a word before the numbers",

@@ -92,11 +92,11 @@ impl Fault {
 
     pub(crate) fn axis_angle_or_quaternion(span: Span) -> Self {
         Self::new(
-            ProblemCode::Unexpected,
+            ProblemCode::TwoMeanings,
             span,
             "a unit vector and a number: axis and angle, or a quaternion not of norm 1",
             "a word that says which",
-            "write axis-angle [0, 0, 1] 0.7, or w=0.7, x=0, y=0, z=1",
+            "write axis-angle [0, 0, 1] 0.7, or q = [0, 0, 1] 0.7",
         )
     }
 

@@ -9,7 +9,7 @@ use crate::text::description::list::{check_separators, held, values};
 use crate::text::description::named_members::{ORIENTATIONS, component, named, without_options};
 use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::tree::{Entry, Key, Lead, Node, NodeKind};
-use crate::text::vocabulary::constructors::{self, Call};
+use crate::text::vocabulary::constructors::{self, Call, Named};
 use crate::text::vocabulary::labels::order_of;
 #[cfg(feature = "whole")]
 use crate::text::vocabulary::labels::says_nothing;
@@ -45,7 +45,7 @@ struct Order {
     order: ComponentOrder,
     source: OrderSource,
     unknown_constructor: Option<String>,
-    is_announced: bool,
+    named: Named,
     unexplained_label: Option<String>,
 }
 
@@ -56,7 +56,7 @@ impl Order {
             order,
             source,
             unknown_constructor: None,
-            is_announced: self.is_announced,
+            named: self.named,
             unexplained_label: self.unexplained_label.clone(),
         }
     }
@@ -78,17 +78,26 @@ impl Order {
         self
     }
 
-    /// That the text says that it is a quaternion.
-    fn announced(self) -> Self {
+    /// That the text says more of what the numbers are.
+    fn named(self, named: Named) -> Self {
         Self {
-            is_announced: true,
+            named: self.named.max(named),
             ..self
         }
     }
 
+    fn announced(self) -> Self {
+        self.named(Named::Quaternion)
+    }
+
     /// Names have no order of their own, so the declared one stands.
     fn by_names(&self) -> Self {
-        self.told(self.declared, OrderSource::Named)
+        let named = self.told(self.declared, OrderSource::Named);
+        // No axis and angle has these names.
+        if self.named == Named::Rotation {
+            return named.announced();
+        }
+        named
     }
 
     fn unknown(self, name: &str) -> Self {
@@ -105,7 +114,7 @@ impl Order {
             order: self.order,
             order_source: self.source,
             unknown_constructor: self.unknown_constructor,
-            is_announced: self.is_announced,
+            is_announced: self.named == Named::Quaternion,
             unexplained_label: self.unexplained_label,
         }
     }
@@ -132,7 +141,7 @@ pub(crate) fn quaternion(
             None => OrderSource::Declared,
         },
         unknown_constructor: None,
-        is_announced: false,
+        named: Named::Anything,
         unexplained_label: None,
     };
     read_quaternion(entries, span, order, Place::Open)
@@ -144,11 +153,7 @@ fn read_quaternion(
     order: Order,
     place: Place,
 ) -> Result<ParsedQuaternion, Fault> {
-    let order = if says_so(entries) {
-        order.announced()
-    } else {
-        order
-    };
+    let order = order.named(said_of(entries));
     if let Some(node) = orientation(entries)? {
         return read_members(node, order, place);
     }
@@ -177,7 +182,7 @@ fn read_quaternion(
         {
             let part = vector(inner, second.node.span)?;
             let quaternion = Quaternion::from_parts(first.node.real()?, part);
-            check_pair(&order, &quaternion, span)?;
+            check_pair(&order, &quaternion, span, place)?;
             return Ok(order
                 .told(ComponentOrder::ScalarFirst, OrderSource::Grouped)
                 .with(quaternion));
@@ -188,7 +193,7 @@ fn read_quaternion(
             }
             let part = vector(inner, first.node.span)?;
             let quaternion = Quaternion::from_parts(second.node.real()?, part);
-            check_pair(&order, &quaternion, span)?;
+            check_pair(&order, &quaternion, span, place)?;
             return Ok(order
                 .told(ComponentOrder::ScalarLast, OrderSource::Grouped)
                 .with(quaternion));
@@ -205,22 +210,18 @@ fn read_quaternion(
     Ok(order.with(Quaternion::new(w, x, y, z)))
 }
 
-/// Whether a name of the whole or of a component, or the heading above it, says that it is a quaternion.
+/// The most that a name of the whole or of a component says, or the heading above it.
 ///
-/// Without the feature `whole` none does: what only a name tells is left to the whole core.
-fn says_so(entries: &[Entry<'_>]) -> bool {
+/// Without the feature `whole` it is nothing: what only a name tells is left to the whole core.
+fn said_of(entries: &[Entry<'_>]) -> Named {
     if !cfg!(feature = "whole") {
-        return false;
+        return Named::Anything;
     }
     let path = |name| str::rsplit_once(name, ['.', ':']).map(|(path, _)| path);
-    let mut keys = entries.iter().filter_map(|entry| entry.key);
-    keys.any(|key| {
-        let names = [Some(key.name), key.heading, path(key.name)];
-        names
-            .into_iter()
-            .flatten()
-            .any(constructors::says_quaternion)
-    })
+    let keys = entries.iter().filter_map(|entry| entry.key);
+    let names = keys.flat_map(|key| [Some(key.name), key.heading, path(key.name)]);
+    let said = names.flatten().map(Named::by).max();
+    said.unwrap_or(Named::Anything)
 }
 
 /// Whether a list is a quaternion by its count, and no vector part.
@@ -233,10 +234,17 @@ const TYPED_AS_ONE: f64 = 1e-6;
 
 /// A vector of length 1 and a number that together have another norm may be an axis and its angle,
 /// unless a name before them says that they are a quaternion.
-fn check_pair(order: &Order, pair: &Quaternion<f64>, span: Span) -> Result<(), Fault> {
+fn check_pair(
+    order: &Order,
+    pair: &Quaternion<f64>,
+    span: Span,
+    place: Place,
+) -> Result<(), Fault> {
     let is_one = |length: f64| (length - 1.0).abs() <= TYPED_AS_ONE;
     let may_be_axis_and_angle = is_one(pair.imag().norm()) && !is_one(pair.norm());
-    if may_be_axis_and_angle && order.source == OrderSource::Declared {
+    let is_named = order.source != OrderSource::Declared
+        || (order.named == Named::Quaternion && place == Place::Open);
+    if may_be_axis_and_angle && !is_named {
         return Err(Fault::axis_angle_or_quaternion(span));
     }
     Ok(())

@@ -1,12 +1,15 @@
-//! What four numbers may be meant as whose norm is not that of a rotation, each as a text that says so.
+//! What four numbers may be meant as where their norm is not that of a rotation, or where they are one of
+//! two things, each as a text that says so.
 
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::OrderSource;
+use crate::problem::Span;
+use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::description::ParsedRotation;
 use crate::text::description::angle::FULL_TURN_RAD;
 use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::mend::{LONGEST_TEXT_BYTES, exact};
+use crate::text::mend::number_text::exact;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -24,14 +27,11 @@ const LARGEST_COORDINATE: f64 = 1e6;
 
 /// The texts that say what the numbers are, the likeliest first; `read` tells how a text is read. Only
 /// what is likely is offered beside the quaternion that was read.
-pub(crate) fn meanings(
+pub(crate) fn of_norm(
     text: &str,
     parsed: &ParsedQuaternion,
     read: &dyn Fn(&str) -> Option<ParsedRotation>,
 ) -> Vec<Suggestion> {
-    if text.len() > LONGEST_TEXT_BYTES {
-        return Vec::new();
-    }
     let of_quaternion = as_quaternion(text, parsed, read);
     let others = others(parsed).into_iter();
     let others = others.filter(|Candidate { suggestion, unit }| {
@@ -56,17 +56,47 @@ fn as_quaternion(
         ..parsed.clone()
     };
     let numbers = in_order(parsed).map(exact).join(" ");
-    let texts = [
-        format!("quaternion {text}"),
-        // Before a bracket the word alone would be a call.
-        format!("quaternion: {text}"),
-        format!("quaternion {numbers}"),
-    ];
-    let mut said = texts.into_iter().filter(|text| {
-        read(text).is_some_and(|read| read == ParsedRotation::Quaternion(announced.clone()))
-    });
-    said.next()
+    let texts = saying_quaternion(text).into_iter();
+    texts
+        .chain([format!("quaternion {numbers}")])
+        .find(|text| read(text) == Some(ParsedRotation::Quaternion(announced.clone())))
         .map(|text| Suggestion::new(Remedy::AsQuaternion, text))
+}
+
+/// The ways to say so before a text; before a bracket the word alone would be a call.
+fn saying_quaternion(text: &str) -> [String; 3] {
+    ["quaternion ", "quaternion: ", "q = "].map(|word| format!("{word}{text}"))
+}
+
+/// The texts that say which of two things the numbers are, where `marked` may be a sequence of Euler
+/// angles, or holds an axis and an angle; `read` tells whether a text is read.
+pub(crate) fn of_two(
+    text: &str,
+    marked: Span,
+    read: &dyn Fn(&str) -> Result<(), Fault>,
+) -> Vec<Suggestion> {
+    let text = text.trim_end();
+    let (Some(before), Some(place), Some(after)) = (
+        text.get(..marked.start),
+        text.get(marked.start..marked.end),
+        text.get(marked.end..),
+    ) else {
+        return Vec::new();
+    };
+    let digits: Vec<&str> = place.split("").filter(|digit| !digit.is_empty()).collect();
+    let is_sequence = digits.len() == 3;
+    let other = if is_sequence {
+        let sequence = digits.join("-");
+        Suggestion::new(Remedy::AsEulerAngles, format!("{before}{sequence}{after}"))
+    } else {
+        Suggestion::new(Remedy::AsAxisAngle, format!("axis-angle {text}"))
+    };
+    let of_quaternion =
+        saying_quaternion(text).map(|text| Suggestion::new(Remedy::AsQuaternion, text));
+    let mut is_read = |suggestion: &Suggestion| read(&suggestion.text).is_ok();
+    let of_quaternion = of_quaternion.into_iter().find(&mut is_read);
+    let other = Some(other).filter(&mut is_read);
+    other.into_iter().chain(of_quaternion).collect()
 }
 
 /// A text to try, and the unit that it has to be read in.

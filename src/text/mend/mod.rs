@@ -5,7 +5,10 @@
 //! is offered, so taking it never leads to another problem.
 
 // What numbers may be meant as whose norm is far from 1.
-pub(crate) mod meanings;
+mod meanings;
+
+// Numbers as text.
+pub(crate) mod number_text;
 
 // The ways in which a text is rewritten.
 pub(crate) mod rewrites;
@@ -20,10 +23,12 @@ pub(crate) mod unit;
 #[cfg(feature = "whole")]
 pub(crate) mod written;
 
-use crate::decimal::shortest;
-use crate::problem::Wanted;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
+use crate::problem::{ProblemCode, Wanted};
+use crate::text::description::ParsedRotation;
+use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::mend::meanings::{of_norm, of_two};
 use crate::text::mend::rewrites::{Rewrite, rewrites};
 use crate::text::mend::typed_numbers::keeps_numbers;
 
@@ -46,6 +51,10 @@ pub(crate) fn with_suggestion(
     if text.len() > LONGEST_TEXT_BYTES {
         return fault;
     }
+    if fault.code == ProblemCode::TwoMeanings {
+        let Fault { span, .. } = fault;
+        return fault.offering(|| of_two(text, span, read));
+    }
     fault.suggesting(|fault| {
         rewrites(fault.code)
             .iter()
@@ -57,6 +66,19 @@ pub(crate) fn with_suggestion(
                 keeps_numbers(text, &suggestion).then_some(suggestion)
             })
     })
+}
+
+/// The texts that say what four numbers are whose norm leaves it open, the likeliest first; `read` tells how
+/// a text is read.
+pub(crate) fn meanings(
+    text: &str,
+    parsed: &ParsedQuaternion,
+    read: &dyn Fn(&str) -> Option<ParsedRotation>,
+) -> Vec<Suggestion> {
+    if text.len() > LONGEST_TEXT_BYTES {
+        return Vec::new();
+    }
+    of_norm(text, parsed, read)
 }
 
 /// The only text that is read, mending the same kind of problem place by place; `None` where several
@@ -87,19 +109,4 @@ fn mended(
         });
     let only = found.next()?;
     found.next().is_none().then_some(only)
-}
-
-/// Three rows, each on a line of its own, as the shortest numbers that read back as the same doubles;
-/// none of those of a report is −0.
-pub(crate) fn rows_text(rows: &[[f64; 3]; 3]) -> String {
-    rows.map(|row| row.map(exact).join(" ")).join("\n")
-}
-
-/// The shortest number that reads back as the same double, without a point where it is whole.
-pub(crate) fn exact(number: f64) -> String {
-    let text = shortest(number);
-    match text.strip_suffix(".0") {
-        Some(whole) => whole.to_owned(),
-        None => text,
-    }
 }

@@ -2,7 +2,7 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::text::description::ParsedRotation;
-use crate::text::mend::{exact, rows_text};
+use crate::text::mend::number_text::{exact, rows_text};
 
 /// A text that is read as the same rotation, whatever is declared of order and unit.
 pub(crate) fn rotation_text(rotation: &ParsedRotation) -> String {

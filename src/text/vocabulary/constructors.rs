@@ -141,15 +141,35 @@ pub(crate) fn is_matrix(name: &str) -> bool {
     ["mat3", "matrix3"].iter().any(|word| lower.contains(word))
 }
 
-/// Whether a label says that what it names is a quaternion: `q`, `q_wb`, `orientation`; a pose holds more.
-pub(crate) fn says_quaternion(label: &str) -> bool {
-    const WORDS: [&str; 4] = ["quat", "orientation", "rotation", "attitude"];
-    let label = last_segment(label);
-    let lower = label.to_ascii_lowercase();
-    // `qWB` and `qx`, not `quality`.
-    let is_symbol = lower.starts_with('q')
-        && (label.len() <= 3 || !label[1..].starts_with(|next: char| next.is_ascii_lowercase()));
-    is_symbol || WORDS.iter().any(|word| lower.contains(word))
+/// What a label says of the numbers that it names, besides their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Named {
+    /// Nothing of the kind: `pose`, which holds more, or `data`.
+    Anything,
+    /// A rotation, which four plain numbers may also be as an axis and an angle, as in X3D and VRML:
+    /// `orientation`, `rotation`.
+    Rotation,
+    /// A quaternion: `q`, `q_wb`, `quat`.
+    Quaternion,
+}
+
+impl Named {
+    pub(crate) fn by(label: &str) -> Self {
+        let label = last_segment(label);
+        let lower = label.to_ascii_lowercase();
+        // `qWB` and `qx`, not `quality`.
+        let is_symbol = lower.starts_with('q')
+            && (label.len() <= 3
+                || !label[1..].starts_with(|next: char| next.is_ascii_lowercase()));
+        if is_symbol || lower.contains("quat") {
+            return Self::Quaternion;
+        }
+        let words = ["orientation", "rotation", "attitude"];
+        if words.iter().any(|word| lower.contains(word)) {
+            return Self::Rotation;
+        }
+        Self::Anything
+    }
 }
 
 /// Whether a label announces something else than a quaternion or a vector.

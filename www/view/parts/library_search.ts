@@ -1,6 +1,6 @@
 // Finding a record by what people type; pure.
 import type { Library } from "../../engine.ts";
-import { groupNames, languageNames } from "../../words/library_behaviour.ts";
+import { groupNames, languageNames, numbersNames } from "../../words/library_behaviour.ts";
 
 const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
 
@@ -8,8 +8,9 @@ const wordsOf = (text: string) => text.toLowerCase().split(/[\s,;/]+/);
 function distance(library: Library, asked: ReadonlySet<string>, about: string): number | undefined {
   const name = library.name.toLowerCase();
   const others = [library.id, ...(library.words ?? [])].join(" ").toLowerCase();
-  const { group, language, axes } = library;
-  const field = [groupNames[group], group, languageNames[language], axes, about]
+  const { group, language, axes, numbers } = library;
+  const written = numbers && numbersNames[numbers.kind];
+  const field = [groupNames[group], group, languageNames[language], axes, written, about]
     .join(" ")
     .toLowerCase();
   let farthest = 0;

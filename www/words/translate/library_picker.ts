@@ -6,7 +6,7 @@ export const none = (asked: string) =>
   `No library here is called “${asked}”. Try a module, a class or a language; or choose a convention.`;
 
 export const conventions = "Conventions";
-export const libraries = "Libraries";
+export const libraries = "Libraries, formats, devices";
 
 export const convention = {
   hamilton: { name: "Hamilton", about: "w x y z, ij = k, body → world" },

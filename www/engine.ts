@@ -116,7 +116,7 @@ async function fetchWholeEngine(): Promise<Engine> {
   const call = calling(whole);
   return {
     isWhole: true,
-    views: [...smallViews, "translate", "identify"],
+    views: [...smallViews, "translate", "identify", "numbers"],
     libraries: libraries as Library[],
     standardProbes: whole.standardProbes(),
     ...answersOf(whole, call),

@@ -20,7 +20,7 @@ pub struct NumbersReport {
     pub fitting: usize,
     /// Whether one alone fits.
     pub decides: bool,
-    /// How far the nearest is that does not fit.
+    /// How far the nearest is that does not fit; absent where all do, or where the numbers are names.
     pub margin_deg: Option<f64>,
 }
 

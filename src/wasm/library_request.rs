@@ -87,15 +87,19 @@ pub(crate) fn identify_request(request: &Members<'_>) -> Typed<IdentifyRequest> 
 
 pub(crate) fn matrices_request(request: &Members<'_>) -> Typed<MatricesRequest> {
     request.only(&MATRICES)?;
-    let text = |name| request.text_or_empty(name);
+    let mut texts: [String; 7] = Default::default();
+    for (text, name) in texts.iter_mut().zip(&MATRICES[1..]) {
+        *text = request.text_or_empty(name)?;
+    }
+    let [yawed, a, b, product, matrix, rotation_vector, printed] = texts;
     Ok(MatricesRequest {
-        yawed: text("yawed")?,
-        a: text("a")?,
-        b: text("b")?,
-        product: text("product")?,
-        matrix: text("matrix")?,
-        rotation_vector: text("rotationVector")?,
-        printed: text("printed")?,
+        yawed,
+        a,
+        b,
+        product,
+        matrix,
+        rotation_vector,
+        printed,
     })
 }
 

@@ -116,16 +116,14 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
     match &*view {
         "read" => {
             let request = read_request(&members)?;
-            let answered = read(&request).map(|report| with_status(&view, &report));
-            answer(answered, &texts, &|field| match field {
+            answer(&view, read(&request), &texts, |field| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
             })
         }
         "compose" => {
             let request = compose_request(&members)?;
-            let answered = compose(&request).map(|report| with_status(&view, &report));
-            answer(answered, &texts, &|field| match field {
+            answer(&view, compose(&request), &texts, |field| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
@@ -134,8 +132,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "translate" => {
             let request: TranslateRequest = translate_request(&members)?;
-            let answered = translate(&request).map(|report| with_status(&view, &report));
-            answer(answered, &texts, &|field| match field {
+            answer(&view, translate(&request), &texts, |field| match field {
                 Field::WorldAxes => &request.world_axes,
                 Field::BodyAxes => &request.body_axes,
                 Field::From => id_of(&request.from),
@@ -156,8 +153,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         "matrices" => {
             let request = matrices_request(&members)?;
             let answered = identify_matrices(&request).map_err(|problem| vec![problem]);
-            let answered = answered.map(|report| with_status(&view, &report));
-            answer(answered, &texts, &|field| match field {
+            answer(&view, answered, &texts, |field| match field {
                 Field::A => &request.a,
                 Field::B => &request.b,
                 Field::Product => &request.product,
@@ -170,8 +166,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "numbers" => {
             let request = numbers_request(&members)?;
-            let answered = numbers(&request).map(|report| with_status(&view, &report));
-            answer(answered, &texts, &|field| match field {
+            answer(&view, numbers(&request), &texts, |field| match field {
                 Field::Numbers => &request.numbers,
                 _ => &request.quaternion,
             })
@@ -211,24 +206,28 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     }
 }
 
-/// A report, or problems that count the units of the texts they point into. One function for all views: each
-/// writes its report before.
+/// A report, or problems that count the units of the texts they point into.
 fn answer<'request>(
-    answered: Result<Typed<JsValue>, Vec<Problem>>,
+    view: &str,
+    answered: Result<impl Serialize, Vec<Problem>>,
     texts: &Texts,
-    text_of: &dyn Fn(Field) -> &'request str,
+    text_of: impl Fn(Field) -> &'request str,
 ) -> Typed<JsValue> {
-    let problems = match answered {
-        Ok(report) => return report,
-        Err(problems) => problems,
-    };
-    let Problems { mut problems } =
-        Problems { problems }.in_utf16(|field| text_of(field).to_owned());
-    for problem in &mut problems {
-        let member = member_of(problem.field);
-        *problem = texts.of_whole_text(problem.clone(), member, MAX_TEXT_BYTES);
+    match answered {
+        Ok(report) => with_status(view, &report),
+        Err(problems) => {
+            let Problems { problems } =
+                Problems { problems }.in_utf16(|field| text_of(field).to_owned());
+            let problems = problems
+                .into_iter()
+                .map(|problem| {
+                    let member = member_of(problem.field);
+                    texts.of_whole_text(problem, member, MAX_TEXT_BYTES)
+                })
+                .collect();
+            with_status("problems", &Problems { problems })
+        }
     }
-    with_status("problems", &Problems { problems })
 }
 
 #[cfg(feature = "libraries")]

@@ -145,6 +145,9 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
   "unknown-library": async (page) => {
     await expect(page.locator("main")).toContainText("ij = −k");
   },
+  "unknown-angles": async (page) => {
+    await expect(page.locator("main")).toContainText("Euler angles YXZ about the moving axes");
+  },
 };
 
 for (const name of exampleNames) {

@@ -20,6 +20,8 @@ const texts = {
   worldAxes: "world",
   bodyAxes: "body",
   libraryName: "name",
+  numbers: "numbers",
+  beside: "beside",
   find: "find",
   library: "library",
 } as const satisfies Partial<Record<keyof PageState, string>>;

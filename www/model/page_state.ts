@@ -53,6 +53,10 @@ export interface PageState {
   language: Language;
   /** The kinds of probes that cannot be run. */
   unavailable: readonly ProbeKind[];
+  /** Three, four or nine numbers of which it is asked what they are; empty where nothing is. */
+  numbers: string;
+  /** The attitude beside them. */
+  beside: string;
   /** How the picture is shown. */
   picture: PictureState;
   /** What the table of libraries is searched for. */
@@ -96,6 +100,8 @@ export const opening: PageState = {
   libraryName: "X",
   language: "python",
   unavailable: [],
+  numbers: "",
+  beside: "",
   picture: firstPicture,
   find: "",
   library: "",

@@ -135,7 +135,7 @@ function usualDoing(parts: readonly Part[]): string | undefined {
 
 const typed: ReadonlySet<Part> = new Set<Part>([
   ...(["quaternion", "p", "q", "vector", "translated", "worldAxes", "bodyAxes"] as const),
-  ...(["observations", "libraryName", "find"] as const),
+  ...(["observations", "libraryName", "numbers", "beside", "find"] as const),
 ]);
 
 /** What differs, in the order of the state. */

@@ -97,6 +97,14 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     outcome.value?.status === "failure" ? outcome.value.message : undefined,
   );
 
+  // What is asked beside a view, once the core that answers it is there.
+  const askedOfNumbers = computed(() => JSON.stringify(numbersRequestOf(state.value)));
+  const numbers = computed(() => {
+    askedOfNumbers.value;
+    const request = numbersRequestOf(state.peek());
+    return request && engine.value.isWhole ? engine.value.analyze(request) : undefined;
+  });
+
   // The last good result of each view stays while the text has a problem; before the first one it
   // is the opening example, once it is known that the text has one.
   const lastOf = <Status extends Good["status"]>(status: Status) =>
@@ -125,6 +133,8 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     compose: lastOf("compose"),
     translate: lastOf("translate"),
     identify: lastOf("identify"),
+    /** What the numbers beside an attitude are; nothing where there are none. */
+    numbers,
     failure,
     mayBeRead,
     /** What has become of the whole core where it is needed. */
@@ -200,6 +210,14 @@ export function requestOf(state: PageState): Request | undefined {
     case "libraries":
       return undefined;
   }
+}
+
+/** What a state asks of the numbers beside an attitude; nothing where there are none, or in another view. */
+function numbersRequestOf(state: PageState): Request | undefined {
+  const { view, numbers, beside, matrix } = state;
+  if (view !== "identify" || numbers.trim() === "") return undefined;
+  const convention = declaredConvention(state);
+  return { view: "numbers", numbers, quaternion: beside, convention, matrix };
 }
 
 type Good = Extract<Outcome, { status: "read" | "compose" | "translate" | "identify" }>;

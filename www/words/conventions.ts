@@ -28,6 +28,9 @@ export const symbolOf: Record<Field, string> = {
   matrix: "M",
   "rotation-vector": "φ",
   printed: "printed",
+  numbers: "numbers",
+  yawed: "yawed",
+  product: "product",
 };
 
 /** The four numbers in an order. */

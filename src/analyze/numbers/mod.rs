@@ -34,11 +34,14 @@ pub(crate) fn numbers(request: &NumbersRequest) -> Result<NumbersReport, Vec<Pro
     let (convention, matrix) = (request.convention, request.matrix);
     if let Some(rewriting) = of_names(text, convention) {
         let judged = Judged::of(&rewriting.candidates, Rounding::NONE, Rounding::NONE);
-        // No text of the numbers on which it was tried.
-        return Ok(report(&rewriting.candidates, judged, &|at| Reading {
-            text: None,
-            ..rewriting.reading(at)
-        }));
+        let mut told = report(&rewriting.candidates, judged, &|at| rewriting.reading(at));
+        // Nothing of the numbers on which it was tried.
+        told.readings.truncate(told.fitting);
+        told.margin_deg = None;
+        for reading in &mut told.readings {
+            reading.text = None;
+        }
+        return Ok(told);
     }
     let declared = Declared {
         convention,

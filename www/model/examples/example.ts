@@ -12,7 +12,7 @@ const asked = {
   read: ["preset", "axes", "matrix", "euler", "quaternion", "vector"],
   compose: ["preset", "axes", "matrix", "p", "q", "vector"],
   translate: ["translated", "from", "to", "worldAxes", "bodyAxes"],
-  identify: ["observations", "libraryName", "language", "unavailable"],
+  identify: ["observations", "libraryName", "language", "unavailable", "numbers", "beside"],
   libraries: ["find", "library"],
 } as const satisfies Record<View, readonly (keyof PageState)[]>;
 

@@ -78,6 +78,10 @@ const further = {
     },
   },
   "unknown-library": { view: "identify", input: {} },
+  "unknown-angles": {
+    view: "identify",
+    input: { numbers: "40.00, 335.00, 70.00", beside: "0.70904 0.15687 -0.35813 0.58685" },
+  },
 } as const satisfies Record<string, Example>;
 
 /** Another attitude each time that it is asked for. */

@@ -12,6 +12,7 @@ import { codeLanguages } from "./choices.ts";
 import { keptAnswer } from "./kept_answer.ts";
 import { MatchingLibraries } from "./MatchingLibraries.tsx";
 import { Meaning } from "./Meaning.tsx";
+import { NumbersFold, spokenNumbers } from "./Numbers.tsx";
 import { printedId } from "./Observation.tsx";
 import { Sheet } from "./Sheet.tsx";
 import "../parts/ask.css";
@@ -29,6 +30,7 @@ export function Identify({ store }: { store: Store }) {
   return (
     <>
       <Ask store={store} />
+      <NumbersFold store={store} />
       <div class="identify">
         <Sheet store={store} answer={answer} isExample={isExample(store.state.value)} />
         <AnswerCard store={store} answer={answer} />
@@ -218,6 +220,10 @@ function Ask({ store }: { store: Store }) {
 
 /** What a screen reader hears when the result changes. */
 export function spokenIdentity(store: Store): string {
+  return [spokenNumbers(store), spokenLibrary(store)].filter((words) => words !== "").join(" ");
+}
+
+function spokenLibrary(store: Store): string {
   const report = store.identify.value?.report;
   if (report === undefined) return "";
   const problems = report.observations.flatMap((observation, at) => {

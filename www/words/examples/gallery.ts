@@ -88,4 +88,8 @@ export const exampleWords: Record<ExampleName, [name: string, teaches: string]> 
     "A library that says nothing",
     "Three printed results tell its product, its matrix and its order.",
   ],
+  "unknown-angles": [
+    "Angles without a sequence",
+    "Three numbers beside a quaternion: of all sequences, units and orders one fits.",
+  ],
 };

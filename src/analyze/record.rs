@@ -70,11 +70,20 @@ pub(crate) fn of_record(
     let differs =
         |one: &Attitude, other: &Attitude| one.rotation.angle_to_rad(&other.rotation).to_degrees();
     let chosen = match plain {
-        Some(plain) => read
-            .iter()
-            .position(|(_, attitude)| differs(plain, attitude) < SAME_WITHIN_DEG)?,
+        Some(plain) => {
+            let agrees = read
+                .iter()
+                .position(|(_, attitude)| differs(plain, attitude) < SAME_WITHIN_DEG);
+            // What a format prints has its own meaning, whatever the numbers alone are read as.
+            let of_format = || {
+                read.iter()
+                    .position(|(found, _)| is_of_format(found, declared))
+            };
+            agrees.or_else(of_format)?
+        }
         None => preferred(&read),
     };
+    let plain = plain.filter(|plain| differs(plain, &read[chosen].1) < SAME_WITHIN_DEG);
     let others: Vec<(&RecordRotation, f64)> = read
         .iter()
         .enumerate()
@@ -124,6 +133,16 @@ pub(crate) fn of_record(
     Some(Ok(Attitude { told, ..attitude }))
 }
 
+/// Whether a format says what the rotation is that is declared, or is known by its words.
+fn is_of_format(found: &RecordRotation, declared: Declared) -> bool {
+    found.format.is_some_and(|format| {
+        let is_declared = declared
+            .library
+            .is_some_and(|library| library.id == format.id);
+        is_declared || !format.marks.is_empty()
+    })
+}
+
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
 /// translation in its last row, so it is as it was printed again.
 fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
@@ -169,8 +188,13 @@ fn found_in_text(
             },
             label: named(&beside.label),
             numbers: beside.numbers.map(plain_number),
-            body_in_world: (beside.what == What::Position)
-                .then(|| body_in_world(beside.numbers, attitude, declared)),
+            body_in_world: (beside.what == What::Position).then(|| {
+                if beside.is_in_world {
+                    beside.numbers.map(plain_number)
+                } else {
+                    body_in_world(beside.numbers, attitude, declared)
+                }
+            }),
         })
         .collect();
     let format = found.format.map(|format| format.name.to_owned());

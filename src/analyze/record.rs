@@ -157,20 +157,19 @@ fn beside_plain(
         return Some(Err(Fault::no_rotation_in_row(*row)));
     }
     let (mut read, _) = read_all(text, declared, record);
-    // The declared library's own names may mean other angles.
-    let own = declared.library.and_then(|library| {
-        let is_own =
-            |(found, _): &Read<'_>| found.format.is_some_and(|format| format.id == library.id);
-        read.iter().position(is_own)
-    });
     let same = read
         .iter()
         .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
-    let (found, attitude) = read.swap_remove(own.or(same)?);
-    let attitude = if own.is_some() {
-        attitude
-    } else {
+    // What a format prints has its own meaning, whatever the numbers alone are read as.
+    let of_format = || {
+        read.iter()
+            .position(|(found, _)| is_of_format(found, declared))
+    };
+    let (found, attitude) = read.swap_remove(same.or_else(of_format)?);
+    let attitude = if same.is_some() {
         plain.clone()
+    } else {
+        attitude
     };
     let mut told: Vec<Fact> = others(&read, &attitude)
         .into_iter()
@@ -216,6 +215,16 @@ fn is_identity(found: &RecordRotation) -> bool {
         ParsedRotation::Matrix(matrix) => *matrix == Matrix3::identity(),
         _ => false,
     }
+}
+
+/// Whether a format says what the rotation is that is declared, or is known by its words.
+fn is_of_format(found: &RecordRotation, declared: Declared) -> bool {
+    found.format.is_some_and(|format| {
+        let is_declared = declared
+            .library
+            .is_some_and(|library| library.id == format.id);
+        is_declared || !format.marks.is_empty()
+    })
 }
 
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
@@ -283,8 +292,13 @@ fn found_in_text(
             },
             label: named(&beside.label),
             numbers: beside.numbers.map(plain_number),
-            body_in_world: (beside.what == What::Position)
-                .then(|| body_in_world(beside.numbers, attitude)),
+            body_in_world: (beside.what == What::Position).then(|| {
+                if beside.is_in_world {
+                    beside.numbers.map(plain_number)
+                } else {
+                    body_in_world(beside.numbers, attitude)
+                }
+            }),
         })
         .collect();
     let format = found.format.map(|format| format.name.to_owned());

@@ -2,7 +2,7 @@
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
-use crate::text::record::format::{Angles, Field, Format, Letters, Part, Unit};
+use crate::text::record::format::{Angles, DECLARED_ONLY, Field, Format, Letters, Part, Unit};
 
 /// Pitch, yaw, roll in degrees: Rz(yaw) Ry(−pitch) Rx(−roll), as the axes are left-handed.
 pub(crate) const ROTATOR: Part = Part::Euler(
@@ -10,6 +10,12 @@ pub(crate) const ROTATOR: Part = Part::Euler(
         .placed([1, 0, 2])
         .signed([1.0, -1.0, -1.0]),
 );
+
+/// The angles about x, y and z; y turns first, about moving axes.
+const Y_X_Z: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Radians)).by_axis());
+
+/// The same in degrees.
+const Y_X_Z_DEGREES: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Degrees)).by_axis());
 
 pub(crate) const ENGINES: &[Format] = &[
     // `P=39.25 Y=-94.09 R=-102.15` (Unreal, FRotator::ToString), `Rotation(pitch=…, yaw=…, roll=…)` (CARLA).
@@ -24,10 +30,14 @@ pub(crate) const ENGINES: &[Format] = &[
         id: "unreal",
         name: "Unreal",
         marks: &[
-            "frotator|ftransform|relativerotation|uobject|actor|unreal|ue4|ue5|fquat|fvector|rotator",
+            "frotator|ftransform|relativerotation|uobject|actor|unreal|ue4|ue5|fquat|fvector|rotator|logtemp|~LogBlueprintUserMessages",
         ],
         order: None,
-        fields: &[Field::Named("pitch yaw roll", &[ROTATOR])],
+        fields: &[
+            Field::Named("pitch yaw roll", &[ROTATOR]),
+            Field::Named("p y r", &[ROTATOR]),
+            Field::Groups(&[&[Part::Position], &[ROTATOR], &[Part::Scale]]),
+        ],
     },
     // Twelve numbers, the x axis first and the translation last (3MF, transform).
     Format {
@@ -50,15 +60,15 @@ pub(crate) const ENGINES: &[Format] = &[
     },
     // Sixteen numbers column by column, four x y z w (glTF 2.0, nodes).
     Format {
-        id: "gltf-node",
+        id: "gltf-node-rotation",
         name: "glTF",
-        marks: &["node|nodes|mesh|children|name", "matrix"],
+        marks: &["node|nodes|mesh|children|name|skin", "matrix|rotation"],
         order: Some(ScalarLast),
         fields: &[Field::Under("matrix", &[Part::HomogeneousColumns(16)])],
     },
     // For row vectors: the rows as printed are the columns of the rotation (OpenUSD, GfMatrix4d).
     Format {
-        id: "openusd",
+        id: "usd",
         name: "USD",
         marks: &["matrix4d|xformop|quatf|quatd|quath"],
         order: Some(ScalarFirst),
@@ -91,7 +101,7 @@ pub(crate) const ENGINES: &[Format] = &[
     },
     // `axis angle`, radians (VRML, X3D, Webots: SFRotation).
     Format {
-        id: "x3d-sfrotation",
+        id: "x3d-vrml-rotation",
         name: "X3D",
         marks: &[
             "rotation",
@@ -101,6 +111,17 @@ pub(crate) const ENGINES: &[Format] = &[
         fields: &[Field::Under(
             "rotation",
             &[Part::UnitAxisAngle(Unit::Usually(Radians))],
+        )],
+    },
+    // `<Viewpoint position="…" orientation="0 0 1 0.5"/>` (X3D).
+    Format {
+        id: "x3d-vrml-rotation",
+        name: "X3D",
+        marks: &["viewpoint", "orientation"],
+        order: None,
+        fields: &[Field::Under(
+            "orientation",
+            &[Part::AxisAngle(Unit::Always(Radians))],
         )],
     },
     // Four numbers by name: x y z w; the axis and the angle in radians beside them (FreeCAD, Placement).
@@ -139,7 +160,7 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "mathutils",
         name: "Blender",
-        marks: &["euler", "order"],
+        marks: &["~Euler((|~<Euler|bpy|mathutils"],
         order: None,
         fields: &[Field::NamedUnder(
             "Euler",
@@ -149,6 +170,220 @@ pub(crate) const ENGINES: &[Format] = &[
                     .by_axis()
                     .lettered(Letters::AllFixed),
             )],
+        )],
+    },
+    // `Euler((0.1, 0.2, 0.3), 'XYZ')` and `(Vector((0, 0, 1)), 0.5)`, radians (Blender, repr and to_axis_angle).
+    Format {
+        id: "mathutils",
+        name: "Blender",
+        marks: &["~Euler((|~(Vector(("],
+        order: None,
+        fields: &[
+            Field::Under(
+                "Euler|rotation_euler",
+                &[Part::Euler(
+                    Angles::new("xyz", Unit::Usually(Radians))
+                        .by_axis()
+                        .lettered(Letters::AllFixed),
+                )],
+            ),
+            Field::VectorThenAngle(Unit::Usually(Radians)),
+        ],
+    },
+    // `rotation.toArray()` prints the angles about x, y, z and the order (three.js).
+    Format {
+        id: "three",
+        name: "three.js",
+        marks: &["rotation", "toarray|three"],
+        order: None,
+        fields: &[Field::Under(
+            "toArray|rotation",
+            &[Part::Euler(
+                Angles::new("XYZ", Unit::Usually(Radians))
+                    .by_axis()
+                    .lettered(Letters::AllMove),
+            )],
+        )],
+    },
+    // `Quaternion.Euler(10f, 20f, 30f)`, `eulerAngles = (10, 20, 30)`: Ry Rx Rz, degrees (Unity).
+    Format {
+        id: "unity",
+        name: "Unity",
+        marks: &["~Quaternion.Euler(|localeulerangles|unityengine|unity"],
+        order: Some(ScalarLast),
+        fields: &[
+            Field::Under(
+                "eulerAngles|localEulerAngles|Euler|localRotation",
+                &[Y_X_Z_DEGREES],
+            ),
+            Field::NamedUnder(
+                "eulerAngles|localEulerAngles|localEulerAnglesHint",
+                "x y z",
+                &[Y_X_Z_DEGREES],
+            ),
+        ],
+    },
+    // `rotation_degrees = Vector3(10, 20, 30)`, `rotation` in radians: Ry Rx Rz (Godot, Node3D).
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &["rotation_degrees|camera3d|node3d|godot|gdscript"],
+        order: None,
+        fields: &[
+            Field::Under("rotation_degrees", &[Y_X_Z_DEGREES]),
+            Field::Under("rotation", &[Y_X_Z]),
+        ],
+    },
+    // `QQuaternion::fromEulerAngles(pitch, yaw, roll)`: Ry Rx Rz, degrees (Qt).
+    Format {
+        id: "qt",
+        name: "Qt",
+        marks: &["qquaternion"],
+        order: None,
+        fields: &[Field::Under(
+            "fromEulerAngles|toEulerAngles",
+            &[Y_X_Z_DEGREES],
+        )],
+    },
+    // `btQuaternion(yaw, pitch, roll)`: Ry Rx Rz, radians (Bullet).
+    Format {
+        id: "bullet",
+        name: "Bullet",
+        marks: &["btquaternion"],
+        order: None,
+        fields: &[Field::Under(
+            "btQuaternion",
+            &[Part::Euler(Angles::new("YXZ", Unit::Always(Radians)))],
+        )],
+    },
+    // `new HeadingPitchRoll(h, p, r)`: Rz(−h) Ry(−p) Rx(r), radians (CesiumJS).
+    Format {
+        id: "cesium",
+        name: "CesiumJS",
+        marks: &["headingpitchroll|heading pitch roll", "cesium"],
+        order: None,
+        fields: &[Field::Under(
+            "HeadingPitchRoll",
+            &[Part::Euler(
+                Angles::new("ZYX", Unit::Always(Radians)).signed([-1.0, -1.0, 1.0]),
+            )],
+        )],
+    },
+    // `mesh.rotation {X: 0.1 Y: 0.2 Z: 0.3}`: Ry Rx Rz, radians (Babylon.js).
+    Format {
+        id: "babylon",
+        name: "Babylon.js",
+        marks: &["babylon"],
+        order: None,
+        fields: &[
+            Field::NamedUnder("rotation", "x y z", &[Y_X_Z]),
+            Field::Under("rotation|FromEulerAngles", &[Y_X_Z]),
+        ],
+    },
+    // `( x y z <| angle )` and `rotationXYZ(a, b, c)`, radians (JOML).
+    Format {
+        id: "joml",
+        name: "JOML",
+        marks: &["rotationxyz|rotationzyx|rotationyxz|joml"],
+        order: Some(ScalarLast),
+        fields: &[
+            Field::Any(&[Part::UnitAxisAngle(Unit::Always(Radians))]),
+            Field::Under(
+                "rotationXYZ|rotateXYZ",
+                &[Part::Euler(Angles::new("XYZ", Unit::Always(Radians)))],
+            ),
+            Field::Under(
+                "rotationZYX|rotateZYX",
+                &[Part::Euler(Angles::new("ZYX", Unit::Always(Radians)))],
+            ),
+            Field::Under(
+                "rotationYXZ|rotateYXZ",
+                &[Part::Euler(Angles::new("YXZ", Unit::Always(Radians)))],
+            ),
+        ],
+    },
+    // `glm::quat(glm::vec3(x, y, z))`: fixed x, y, z, radians (GLM).
+    Format {
+        id: "glm",
+        name: "GLM",
+        marks: &["glm"],
+        order: None,
+        fields: &[Field::Under(
+            "quat|dquat|fquat",
+            &[Part::Euler(Angles::new("xyz", Unit::Always(Radians)))],
+        )],
+    },
+    // `getHpr()`, `LVecBase3f(h, p, r)`: Rz(h) Rx(p) Ry(r), degrees (Panda3D).
+    Format {
+        id: "panda3d",
+        name: "Panda3D",
+        marks: &["gethpr|sethpr|lvecbase3f|hpr"],
+        order: Some(ScalarFirst),
+        fields: &[
+            Field::Under(
+                "getHpr|setHpr|get_hpr|set_hpr|hpr",
+                &[Part::Euler(Angles::new("ZXY", Unit::Always(Degrees)))],
+            ),
+            Field::Named(
+                "h p r",
+                &[Part::Euler(Angles::new("ZXY", Unit::Always(Degrees)))],
+            ),
+        ],
+    },
+    // `eul = 10°, 20°, 30°`: moving z, y, z (spatialmath, printline with orient='eul').
+    Format {
+        id: "spatialmath",
+        name: "spatialmath",
+        marks: DECLARED_ONLY,
+        order: None,
+        fields: &[Field::Under(
+            "eul",
+            &[Part::Euler(Angles::new("ZYZ", Unit::Usually(Degrees)))],
+        )],
+    },
+    // `q.a = 0.8, q.b = 0.2, …`: a is the scalar (SymPy).
+    Format {
+        id: "sympy",
+        name: "SymPy",
+        marks: DECLARED_ONLY,
+        order: None,
+        fields: &[Field::Named(
+            "a b c d",
+            &[Part::Quaternion(Some(ScalarFirst))],
+        )],
+    },
+    // `setAttr ".r" -type "double3" 10 20 30`: degrees about fixed x, y, z (Maya ASCII).
+    Format {
+        id: "maya",
+        name: "Maya",
+        marks: &["setattr|createnode"],
+        order: None,
+        fields: &[
+            Field::Under(
+                "r|rotate",
+                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
+            ),
+            Field::Under("t|translate", &[Part::Position]),
+            Field::Under("s|scale", &[Part::Scale]),
+        ],
+    },
+    // `<a-entity rotation="10 20 30">`: Ry Rx Rz, degrees (A-Frame).
+    Format {
+        id: "aframe",
+        name: "A-Frame",
+        marks: &["~<a-"],
+        order: None,
+        fields: &[Field::Under("rotation", &[Y_X_Z_DEGREES])],
+    },
+    // `<rotate sid="rotationZ">0 0 1 25</rotate>`: an axis and degrees (COLLADA).
+    Format {
+        id: "collada",
+        name: "COLLADA",
+        marks: &["<rotate", "sid"],
+        order: None,
+        fields: &[Field::Under(
+            "rotate",
+            &[Part::AxisAngle(Unit::Always(Degrees))],
         )],
     },
     // `Quaternion { coords: Matrix { data: [x, y, z, w] } }` (nalgebra, Debug).
@@ -163,13 +398,13 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "glam",
         name: "glam",
-        marks: &["vec3", "quat"],
+        marks: &["~Vec3(|~Affine3A|~Transform {", "~Quat("],
         order: Some(ScalarLast),
         fields: &[],
     },
     // `{{x, y, z, w}, {px, py, pz}}` (OpenXR, XrPosef).
     Format {
-        id: "openxr-posef",
+        id: "openxr",
         name: "OpenXR",
         marks: &["xrposef|xrquaternionf"],
         order: Some(ScalarLast),

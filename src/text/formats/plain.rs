@@ -1,5 +1,6 @@
 //! What names mean in no particular format.
 
+use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::ScalarFirst;
 use crate::text::formats::engines::ROTATOR;
 use crate::text::record::format::{Angles, Field, Part, Unit};
@@ -14,11 +15,18 @@ pub(crate) const PLAIN: &[Field] = &[
         "x y z w p r",
         &[
             Part::Position,
-            Part::Euler(Angles::new(
-                "xyz",
-                Unit::Usually(crate::convention::angle::AngleUnit::Degrees),
-            )),
+            Part::Euler(Angles::new("xyz", Unit::Usually(Degrees))),
         ],
+    ),
+    // Bunge's angles: the crystal is the body.
+    Field::Named(
+        "phi1 phi phi2",
+        &[Part::Euler(Angles::new("ZXZ", Unit::BySize))],
+    ),
+    // Photogrammetry: about moving x, y, z.
+    Field::Named(
+        "omega phi kappa",
+        &[Part::Euler(Angles::new("XYZ", Unit::BySize))],
     ),
     // Unreal's rotator as it prints itself.
     Field::OnlyNamed("p y r", &[ROTATOR]),
@@ -42,6 +50,11 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("qs q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qs qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qr qi qj qk", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named(
+        "real imag jmag kmag",
+        &[Part::Quaternion(Some(ScalarFirst))],
+    ),
+    Field::Named("ow ox oy oz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("real i j k", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("r i j k", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named(
@@ -59,6 +72,11 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("r p h", &[ROLL_PITCH_YAW]),
     Field::Named("roll pitch heading", &[ROLL_PITCH_YAW]),
     Field::Named("bank pitch heading", &[ROLL_PITCH_YAW]),
+    Field::NamedUnder(
+        "rvec|rotvec|rotation_vector|rodrigues",
+        "x y z",
+        &[Part::RotationVector(Radians)],
+    ),
     Field::Named("x y z", &[Part::Position]),
     Field::Named("tx ty tz", &[Part::Position]),
     Field::Named("px py pz", &[Part::Position]),

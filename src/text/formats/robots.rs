@@ -55,9 +55,11 @@ pub(crate) const ROBOTS: &[Format] = &[
     },
     // `movel(p[x, y, z, rx, ry, rz])`: metres and a rotation vector in radians (Universal Robots).
     Format {
-        id: "universal-robots-pose",
+        id: "ur-rotvec",
         name: "Universal Robots",
-        marks: &["p|movel|movej|movep|movec|urscript|tcp|polyscope|actualtcppose|getactualtcppose"],
+        marks: &[
+            "~p[|movel|movej|movep|movec|urscript|polyscope|actualtcppose|getactualtcppose|tcp pose",
+        ],
         order: None,
         fields: &[Field::Under(
             "p|tcp|movel|movej|actualtcppose",
@@ -66,14 +68,16 @@ pub(crate) const ROBOTS: &[Format] = &[
     },
     // `[[x,y,z],[q1,q2,q3,q4],[conf],[external axes]]`: q1 is the scalar (ABB RAPID).
     Format {
-        id: "abb-robtarget",
+        id: "abb-quaternion",
         name: "ABB RAPID",
-        marks: &["robtarget|wobjdata|tooldata|rapid|orient"],
+        marks: &[
+            "robtarget|wobjdata|tooldata|rapid|~VAR orient|~PERS orient|~CONST orient|~VAR pose|~PERS pose|~CONST pose",
+        ],
         order: Some(ScalarFirst),
-        fields: &[Field::Named(
-            "q1 q2 q3 q4",
-            &[Part::Quaternion(Some(ScalarFirst))],
-        )],
+        fields: &[
+            Field::Named("q1 q2 q3 q4", &[Part::Quaternion(Some(ScalarFirst))]),
+            Field::Groups(&[&[Part::Position], &[Part::Quaternion(Some(ScalarFirst))]]),
+        ],
     },
     // `MovePose(x, y, z, alpha, beta, gamma)`: about moving x, y, z, degrees (Mecademic).
     Format {
@@ -98,6 +102,88 @@ pub(crate) const ROBOTS: &[Format] = &[
         marks: &["melfa|mitsubishi"],
         order: None,
         fields: &[Field::Named("a b c", &[FIXED_XYZ])],
+    },
+    // `P1=(300.0,100.0,250.0,180.0,0.0,90.0)(7,0)`: the flags of the structure behind it.
+    Format {
+        id: "mitsubishi-abc",
+        name: "Mitsubishi MELFA",
+        marks: &["~)("],
+        order: None,
+        fields: &[Field::Groups(&[
+            &[Part::Position, FIXED_XYZ],
+            &[Part::Skip(2)],
+        ])],
+    },
+    // `POS(1000, 200, 300, -56.5, 99.4, 110.3, '')`: about moving z, y, z, degrees (Comau PDL2, POSITION).
+    Format {
+        id: "comau-euler",
+        name: "Comau",
+        marks: &["~POS(|comau|pdl2"],
+        order: None,
+        fields: &[
+            Field::Under("POS", &[Part::Position, ZYZ]),
+            Field::Named("e1 e2 e3", &[ZYZ]),
+        ],
+    },
+    // `<Value key="0" x="1" y="2" z="3" rx="10" ry="20" rz="30" fatherId="world[0]"/>`: about moving x, y, z,
+    // degrees (Stäubli VAL3, data of a project).
+    Format {
+        id: "staubli-rxryrz",
+        name: "Stäubli VAL3",
+        marks: &["fatherid|shoulder|staubli|stäubli|val3|pointrx|pjoint"],
+        order: None,
+        fields: &[Field::Named("rx ry rz", &[XYZ])],
+    },
+    // Roll about z, pitch about y, yaw about x (Nachi; a vision vendor's table).
+    Format {
+        id: "nachi-rpy",
+        name: "Nachi",
+        marks: &["nachi"],
+        order: None,
+        fields: &[Field::Any(&[Part::Position, ZYX])],
+    },
+    // Angles of CATIA and SolidWorks, about moving z, x, z (RoboDK, Pose_2_Catia).
+    Format {
+        id: "catia-solidworks-zxz",
+        name: "CATIA",
+        marks: &["catia|solidworks"],
+        order: None,
+        fields: &[Field::Any(&[
+            Part::Position,
+            Part::Euler(Angles::new("ZXZ", Unit::Usually(Degrees))),
+        ])],
+    },
+    // Fixed x, y, z, degrees (a vision vendor's table).
+    Format {
+        id: "robots-sxyz",
+        name: "DENSO, DOBOT, AUBO, JAKA, ROKAE, Techman, ELITE, Hyundai, Flexiv",
+        marks: &["denso|dobot|aubo|jaka|rokae|techman|elibot|hyundai|flexiv"],
+        order: None,
+        fields: &[
+            Field::Any(&[Part::Position, FIXED_XYZ]),
+            Field::Named("rx ry rz", &[FIXED_XYZ]),
+            Field::Named("a b c", &[FIXED_XYZ]),
+        ],
+    },
+    // Moving z, y, x, degrees (a vision vendor's table); Epson calls them U, V, W.
+    Format {
+        id: "robots-rzyx",
+        name: "EFORT, EPSON, ESTUN, INOVANCE",
+        marks: &["efort|epson|estun|inovance"],
+        order: None,
+        fields: &[
+            Field::Any(&[Part::Position, ZYX]),
+            Field::Named("u v w", &[ZYX]),
+            Field::Named("a b c", &[ZYX]),
+        ],
+    },
+    // Moving x, y, z, degrees (a vision vendor's table).
+    Format {
+        id: "robots-rxyz",
+        name: "TURIN, ADT",
+        marks: &["~TURIN |~Turin |~ADT "],
+        order: None,
+        fields: &[Field::Any(&[Part::Position, XYZ])],
     },
     // Rx, Ry, Rz about fixed x, y, z, degrees (Yaskawa Motoman).
     Format {

@@ -11,10 +11,29 @@ const YAW_PITCH_ROLL: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Radians
 const ROLL_PITCH_YAW: Part = Part::Euler(Angles::new("xyz", Unit::Usually(Radians)));
 
 pub(crate) const ROS: &[Format] = &[
+    // `euler_from_quaternion(q)` prints roll, pitch, yaw in radians (tf.transformations, transformations.py).
+    Format {
+        id: "tf-transformations",
+        name: "tf.transformations",
+        marks: &["euler_from_quaternion|euler_from_matrix"],
+        order: None,
+        fields: &[Field::Under(
+            "euler_from_quaternion|euler_from_matrix",
+            &[ROLL_PITCH_YAW],
+        )],
+    },
+    // `p.getEulerFromQuaternion(q)`: the same (PyBullet).
+    Format {
+        id: "pybullet",
+        name: "PyBullet",
+        marks: &["geteulerfromquaternion|pybullet"],
+        order: None,
+        fields: &[Field::Under("getEulerFromQuaternion", &[ROLL_PITCH_YAW])],
+    },
     // `static_transform_publisher 0.1 0 0.2 1.57 0 0 base_link laser 50`: x y z yaw pitch roll, or x y z qx qy
     // qz qw (geometry2, static_transform_publisher; the period at the end is of ROS 1).
     Format {
-        id: "ros-static-transform",
+        id: "ros-static-transform-publisher",
         name: "static_transform_publisher",
         marks: &["static_transform_publisher"],
         order: Some(ScalarLast),
@@ -31,7 +50,7 @@ pub(crate) const ROS: &[Format] = &[
     },
     // `<origin xyz="0 0 0.1" rpy="0 1.57 0"/>` (URDF: radians about fixed x, y, z).
     Format {
-        id: "urdf-origin",
+        id: "urdf-rpy",
         name: "URDF",
         marks: &["<origin"],
         order: None,
@@ -40,7 +59,7 @@ pub(crate) const ROS: &[Format] = &[
     // `<pose>0 0 0.1 0 1.57 0</pose>`; since 1.9 `degrees='true'` and `rotation_format='quat_xyzw'`
     // (sdformat_spec, pose.sdf).
     Format {
-        id: "sdformat-pose",
+        id: "sdf-pose",
         name: "SDFormat",
         marks: &["<pose"],
         order: None,
@@ -97,6 +116,7 @@ pub(crate) const ROS: &[Format] = &[
                 )],
             ),
             Field::Under("axisangle", &[Part::AxisAngle(Unit::Usually(Degrees))]),
+            Field::Under("xyaxes", &[Part::XyAxes]),
         ],
     },
 ];

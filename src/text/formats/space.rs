@@ -1,5 +1,43 @@
 //! Spacecraft: attitude files and kernels.
 
-use crate::text::record::format::Format;
+use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
+use crate::text::record::format::{Field, Format, Part};
 
-pub(crate) const SPACE: &[Format] = &[];
+pub(crate) const SPACE: &[Format] = &[
+    // ` ATT G01              4  w x y z`: earth-fixed to satellite (ORBEX; GROOPS).
+    Format {
+        id: "orbex-att",
+        name: "ORBEX",
+        marks: &["att"],
+        order: None,
+        fields: &[Field::Under(
+            "ATT",
+            &[Part::Skip(1), Part::Quaternion(Some(ScalarFirst))],
+        )],
+    },
+    // The keyword above the rows says where the scalar is (STK, attitude file).
+    Format {
+        id: "stk-attitude-a",
+        name: "STK attitude",
+        marks: &["attitudetimequaternions|attitudetimequatscalarfirst|attitudetimequatangvels"],
+        order: None,
+        fields: &[
+            Field::Under(
+                "AttitudeTimeQuaternions",
+                &[Part::Time, Part::Quaternion(Some(ScalarLast))],
+            ),
+            Field::Under(
+                "AttitudeTimeQuatScalarFirst",
+                &[Part::Time, Part::Quaternion(Some(ScalarFirst))],
+            ),
+            Field::Under(
+                "AttitudeTimeQuatAngVels",
+                &[
+                    Part::Time,
+                    Part::Quaternion(Some(ScalarLast)),
+                    Part::Skip(3),
+                ],
+            ),
+        ],
+    },
+];

@@ -1,6 +1,7 @@
 //! What stands apart: a position beside a quaternion, a scalar and its vector, an axis and its angle.
 
 use crate::convention::order::{ComponentOrder, OrderSource};
+use crate::problem::Span;
 use crate::text::description::ParsedRotation;
 use crate::text::record::format::{Part, Unit};
 use crate::text::record::found::{Context, Found, label_of};
@@ -47,8 +48,13 @@ pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> 
         .collect()
 }
 
-/// A scalar and a vector, each under its name: `real: 0.8, imag: (…)`.
-pub(crate) fn split_quaternion(quantities: &Quantities<'_>, context: &Context) -> Option<Found> {
+/// A scalar and a vector, each under its name, `real: 0.8, imag: (…)`, or behind each other in what is named a
+/// quaternion: `Quaternion(0.8, #(…))`, `Quaternion 0.8 (V3 …)`.
+pub(crate) fn split_quaternion(quantities: &Quantities<'_>) -> Option<Found> {
+    by_names(quantities).or_else(|| by_place(quantities))
+}
+
+fn by_names(quantities: &Quantities<'_>) -> Option<Found> {
     let vector = quantities.groups.iter().find(|group| {
         group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector)
     })?;
@@ -58,23 +64,50 @@ pub(crate) fn split_quaternion(quantities: &Quantities<'_>, context: &Context) -
         .filter(|named| named.scope == vector.scope)
         .flat_map(|named| &named.members)
         .find(|member| matches!(member.name.as_str(), "real" | "s" | "w" | "scalar" | "re"))?;
-    let numbers = [
-        scalar.value,
-        vector.numbers[0],
-        vector.numbers[1],
-        vector.numbers[2],
-    ];
-    let _ = context;
-    let rotation = quaternion(
-        &numbers,
-        (ComponentOrder::ScalarFirst, OrderSource::Grouped),
-    )?;
+    let is_computed = vector.is_computed || scalar.is_computed;
+    grouped(scalar.value, scalar.span, vector, is_computed)
+}
+
+fn by_place(quantities: &Quantities<'_>) -> Option<Found> {
+    let is_quaternion = |path: &[&str]| Meaning::of(path).role == Some(Role::Quaternion);
+    let in_brackets = quantities.groups.windows(2).find_map(|pair| {
+        let [scalar, vector] = pair else {
+            return None;
+        };
+        let is_it = scalar.numbers.len() == 1
+            && vector.numbers.len() == 3
+            && scalar.scope == vector.scope
+            && is_quaternion(&scalar.path);
+        is_it
+            .then(|| grouped(scalar.numbers[0], scalar.span, vector, scalar.is_computed))
+            .flatten()
+    });
+    in_brackets.or_else(|| {
+        let scalar = quantities
+            .named
+            .iter()
+            .flat_map(|named| &named.members)
+            .find(|member| member.name == "quaternion")?;
+        let vector = quantities
+            .groups
+            .iter()
+            .find(|group| group.span.start >= scalar.span.end)?;
+        grouped(scalar.value, scalar.span, vector, scalar.is_computed)
+    })
+}
+
+fn grouped(scalar: f64, span: Span, vector: &Group<'_>, is_computed: bool) -> Option<Found> {
+    let &[x, y, z] = &vector.numbers[..] else {
+        return None;
+    };
+    let order = (ComponentOrder::ScalarFirst, OrderSource::Grouped);
+    let rotation = quaternion(&[scalar, x, y, z], order)?;
     Some(Found {
         made: Made::Rotation(rotation),
         label: label_of(&vector.path[..vector.path.len() - 1]),
-        span: scalar.span.to(vector.span),
+        span: span.to(vector.span),
         is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
-        is_computed: vector.is_computed || scalar.is_computed,
+        is_computed: is_computed || vector.is_computed,
         format: None,
         has_rows: true,
     })
@@ -83,10 +116,10 @@ pub(crate) fn split_quaternion(quantities: &Quantities<'_>, context: &Context) -
 /// An axis and an angle, each under its name.
 pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) -> Option<Found> {
     let role = |path: &[&str]| Meaning::of(path).role;
-    let group = quantities
-        .groups
-        .iter()
-        .find(|group| group.numbers.len() == 3 && role(&group.path) == Some(Role::Axis));
+    let group = quantities.groups.iter().find(|group| {
+        let is_openscad = || group.path.ends_with(&["rotate", "v"]);
+        group.numbers.len() == 3 && (role(&group.path) == Some(Role::Axis) || is_openscad())
+    });
     let named_axis = || {
         quantities.named.iter().find_map(|named| {
             let mut path = named.path.clone();
@@ -102,7 +135,9 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
         .map(|group| (group.numbers.clone(), group.span))
         .or_else(named_axis)?;
     let (angle, meaning) = quantities.named.iter().find_map(|named| {
-        let member = named.members.iter().find(|member| member.name == "angle")?;
+        let member = named.members.iter().find(|member| {
+            member.name == "angle" || member.name == "a" && named.path.ends_with(&["rotate"])
+        })?;
         let mut path = named.path.clone();
         path.push(&named.stem);
         Some((member, Meaning::of(&path)))

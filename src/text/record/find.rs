@@ -6,8 +6,9 @@ use crate::text::record::apart::{axis_beside_angle, positions_beside, split_quat
 use crate::text::record::format::Field;
 use crate::text::record::found::{Asked, Context, Found};
 use crate::text::record::group::Quantities;
-use crate::text::record::of_group::{groups_together, of_group};
-use crate::text::record::of_named::{of_named, turns_by_axis};
+use crate::text::record::of_group::{groups_together, of_group, vector_then_angle};
+use crate::text::record::of_named::of_named;
+use crate::text::record::turns::turns;
 
 /// All that is understood of the quantities of a text.
 pub(crate) fn found(
@@ -35,14 +36,17 @@ pub(crate) fn found(
         all.extend(of_named(named, context, &fields));
     }
     all.extend(positions_beside(quantities, &all));
-    all.extend(split_quaternion(quantities, context));
+    all.extend(split_quaternion(quantities));
     all.extend(axis_beside_angle(quantities, context));
-    all.extend(
-        quantities
-            .named
-            .iter()
-            .filter_map(|named| turns_by_axis(named, context)),
-    );
+    all.extend(vector_then_angle(quantities, context, &fields));
+    let turns = turns(quantities, context);
+    // What several turns make is one rotation.
+    all.retain(|found| {
+        let inside =
+            |turn: &Found| turn.span.start <= found.span.start && found.span.end <= turn.span.end;
+        !turns.iter().any(inside)
+    });
+    all.extend(turns);
     all.sort_by_key(|found| found.span.start);
     all
 }

@@ -10,7 +10,8 @@ pub(crate) struct Format {
     pub(crate) id: &'static str,
     /// What people call it.
     pub(crate) name: &'static str,
-    /// The words by which it is known: one of each entry must stand in the text; bars divide them.
+    /// The words by which it is known: one of each entry must stand in the text; bars divide them. What
+    /// begins with `~` must stand there as it is.
     pub(crate) marks: &'static [&'static str],
     /// The order of four numbers without names; `None` where the format has none of its own.
     pub(crate) order: Option<ComponentOrder>,
@@ -33,7 +34,11 @@ pub(crate) enum Field {
     /// A row of the text that begins with numbers.
     Row(&'static [Part]),
     /// Groups that stand behind each other, of which at most the first has a name.
-    Groups(&'static [Part]),
+    Groups(&'static [&'static [Part]]),
+    /// Three numbers of an axis, and the angle behind their bracket.
+    VectorThenAngle(Unit),
+    /// The names of what commas divide in a sentence that begins so: `$PASHR,…`.
+    Sentence(&'static str, &'static [&'static str]),
     /// Such a row that commas divide.
     CommaRow(&'static [Part]),
 }
@@ -47,7 +52,11 @@ pub(crate) enum Part {
     /// A time that is counted in nanoseconds, by its size.
     Nanoseconds,
     Position,
+    /// Where the origin of the body is in the world, whichever way the rotation leads.
+    Centre,
     Scale,
+    /// Four numbers of any norm in this order.
+    ScaledQuaternion(ComponentOrder),
     /// Four numbers in this order, or in that which is declared.
     Quaternion(Option<ComponentOrder>),
     Euler(Angles),
@@ -160,8 +169,13 @@ impl Part {
             | Self::HomogeneousColumns(count)
             | Self::Homogeneous(count) => count,
             Self::Time | Self::Nanoseconds => 1,
-            Self::Position | Self::Scale | Self::Euler(_) | Self::RotationVector(_) => 3,
+            Self::Position
+            | Self::Centre
+            | Self::Scale
+            | Self::Euler(_)
+            | Self::RotationVector(_) => 3,
             Self::Quaternion(_)
+            | Self::ScaledQuaternion(_)
             | Self::AxisAngle(_)
             | Self::UnitAxisAngle(_)
             | Self::AngleAxis(_) => 4,
@@ -170,3 +184,6 @@ impl Part {
         }
     }
 }
+
+/// The marks of a format that is only known where it is declared.
+pub(crate) const DECLARED_ONLY: &[&str] = &["~\0"];

@@ -7,6 +7,7 @@ use crate::text::record::format::{Field, Format};
 use crate::text::record::meaning::Meaning;
 use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::parts::{Made, Said};
+use crate::text::record::rows::{BY_COLUMNS, BY_ROWS};
 
 /// A quantity that was understood.
 #[derive(Clone, Debug)]
@@ -69,7 +70,7 @@ pub(crate) type Asked = (&'static Field, Option<&'static Format>);
 pub(crate) fn label_of(path: &[&str]) -> String {
     path.iter()
         .rev()
-        .find(|key| !key.is_empty())
+        .find(|key| !key.is_empty() && ![BY_ROWS, BY_COLUMNS].contains(key))
         .map_or("", |key| key)
         .to_owned()
 }
@@ -77,7 +78,7 @@ pub(crate) fn label_of(path: &[&str]) -> String {
 /// The innermost name that says more than that it holds numbers.
 pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
     const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
-                           np numpy tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
+                           np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
     path.iter().rev().copied().find(|key| {
         let mut words = identifiers_of(key);
         !key.is_empty()
@@ -87,9 +88,15 @@ pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
 
 /// Whether one of these names stands next over numbers; a letter alone only as it is.
 pub(crate) fn stands_under(path: &[&str], names: &str) -> bool {
-    let Some(key) = next_key(path) else {
-        return false;
-    };
+    let own = path.iter().rev().copied().find(|key| !key.is_empty());
+    let next = next_key(path).filter(|next| Some(*next) != own);
+    [own, next]
+        .into_iter()
+        .flatten()
+        .any(|key| is_one_of(key, names))
+}
+
+fn is_one_of(key: &str, names: &str) -> bool {
     names.split('|').any(|name| {
         let lower = name.to_lowercase();
         let parts = words_of(name);

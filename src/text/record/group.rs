@@ -5,7 +5,7 @@ use crate::problem::Span;
 use crate::text::record::named::named;
 use crate::text::record::outline::{Kind, Member};
 use crate::text::record::quantity::{Group, Named, Value, is_named};
-use crate::text::record::rows::{with_repeated, with_rows_by_name};
+use crate::text::record::rows::{with_listed_names, with_repeated, with_rows_by_name};
 
 /// All quantities of a text.
 #[derive(Default)]
@@ -21,6 +21,7 @@ impl<'t> Quantities<'t> {
         let mut found = Self::default();
         found.collect(members, &[""], Holder::Lines);
         found.groups = with_rows_by_name(with_repeated(found.groups));
+        found.groups = with_listed_names(found.groups);
         found.named = named(&found.groups);
         found
             .groups
@@ -45,6 +46,7 @@ impl<'t> Quantities<'t> {
                     self.values.push(Value {
                         key: member.key,
                         text: member.text,
+                        span: member.span,
                     });
                     at += 1;
                 }
@@ -67,7 +69,6 @@ impl<'t> Quantities<'t> {
                             span: alike[0].span.to(alike[count - 1].span),
                             scope,
                             is_computed: alike.iter().any(is_computed),
-                            follows_bar: member.follows_bar,
                             unit: alike.iter().find_map(unit),
                             has_commas: true,
                             is_line: false,
@@ -96,6 +97,8 @@ impl<'t> Quantities<'t> {
         self.named
             .retain(|named| !named.members.iter().all(|member| inside(member.span)));
         self.named.extend(named(&groups));
+        let runs = groups.into_iter().filter(|group| group.numbers.len() > 1);
+        self.groups.extend(runs);
     }
 }
 
@@ -149,7 +152,6 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         span: run[0].span.to(run[run.len() - 1].span),
         scope,
         is_computed: false,
-        follows_bar: run[0].follows_bar,
         unit: run.iter().find_map(unit),
         has_commas: run[1..].iter().any(|member| member.follows_comma),
         is_line: false,

@@ -77,7 +77,7 @@ const ROLES: &[(Role, &str)] = &[
         Role::Other,
         "covariance cov velocity vel linear angular twist acc accel acceleration gyro gyr mag magn magnetic field \
          intrinsics intrinsic distortion coeffs resolution rows cols mass inertia size extents joint joints config conf \
-         color colour colors rgba rgb plane normal gravity temperature temp pressure weight weights fov focal camera \
+         color colour colors rgba rgb plane normal gravity temperature pressure weight weights fov focal camera \
          uncertainty ± overlaps children mesh bbox box bounds min max status calibration sys version id seq index port \
          angvel linvel omega rate rates rate0 omegas force torque wrench error residual stdev std sigma variance \
          lat lon alt latitude longitude altitude hz fps frames frame width height length radius joint1 extax axes_config \
@@ -92,6 +92,12 @@ const ROLES: &[(Role, &str)] = &[
 
 /// What a word says.
 fn role_of_word(word: &str) -> Option<Role> {
+    // `MLMatrix44`, `vec3`: sizes say nothing.
+    let bare = word.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    let word = if bare == "matrix" { bare } else { word };
+    if word.contains("euler") {
+        return Some(Role::Euler);
+    }
     ROLES
         .iter()
         .find(|(_, words)| words.split_whitespace().any(|known| known == word))
@@ -128,8 +134,6 @@ impl Meaning {
         .unwrap_or(key);
         let words = words_of(key);
         let joined = words.join("");
-        let two = words.windows(2).map(|pair| pair.concat());
-        let all: Vec<String> = words.iter().cloned().chain(two).collect();
         if words.is_empty() {
             return;
         }
@@ -163,7 +167,16 @@ impl Meaning {
         let own = if derived {
             Some(Role::Derived)
         } else {
-            Self::role_in(key, &words, &all)
+            Self::role_in(without_arguments(key))
+        };
+        // `rpyOffset` is no position.
+        let own = match own {
+            None | Some(Role::Position)
+                if sequence_of(key, &words).is_some() && !key.to_lowercase().contains("xyz") =>
+            {
+                Some(Role::Euler)
+            }
+            own => own,
         };
         self.role = match (self.role, own) {
             (Some(Role::Derived), _) | (_, Some(Role::Derived)) => Some(Role::Derived),
@@ -173,7 +186,10 @@ impl Meaning {
         };
     }
 
-    fn role_in(key: &str, words: &[String], all: &[String]) -> Option<Role> {
+    fn role_in(key: &str) -> Option<Role> {
+        let words = words_of(key);
+        let two = words.windows(2).map(|pair| pair.concat());
+        let all: Vec<String> = words.iter().cloned().chain(two).collect();
         // `T` is a transform and `t` a translation; `R` is a matrix.
         let first = key
             .split(|mark: char| !mark.is_alphanumeric())
@@ -188,6 +204,12 @@ impl Meaning {
             .take_while(|word| word.len() == 1 && "wxyz".contains(word.as_str()))
             .count();
         let pairs = &all[words.len()..];
+        // `euler_from_quaternion`: what it was made of says nothing.
+        let from = words
+            .iter()
+            .position(|word| word == "from")
+            .filter(|&at| at > 0);
+        let words = &words[..from.unwrap_or(words.len())];
         let words = if letters >= 3 {
             &words[..words.len() - letters]
         } else {
@@ -197,9 +219,29 @@ impl Meaning {
             return (letters == 4).then_some(Role::Quaternion);
         }
         let two = pairs.iter().rev().find_map(|word| role_of_word(word));
-        two.or_else(|| words.iter().rev().find_map(|word| role_of_word(word)))
-            // `r` alone is no matrix in the middle of a name.
-            .filter(|role| !(*role == Role::Matrix && first == Some("r")))
+        // A letter is a name only where it stands alone: `tGripper` is no translation.
+        let stands_alone = |word: &str| {
+            word.chars().count() > 1
+                || key
+                    .split(|mark: char| !mark.is_alphanumeric())
+                    .any(|own| own.to_lowercase() == word)
+        };
+        two.or_else(|| {
+            let own = words.iter().rev().filter(|word| stands_alone(word));
+            own.clone().find_map(|word| role_of_word(word))
+        })
+        // `r` alone is no matrix in the middle of a name.
+        .filter(|role| !(*role == Role::Matrix && first == Some("r")))
+    }
+}
+
+/// `rotm2axang(R)`: what a call is given says nothing of what it makes.
+fn without_arguments(key: &str) -> &str {
+    match key.split_once('(') {
+        Some((name, _)) if name.ends_with(|last: char| last.is_alphanumeric() || last == '_') => {
+            name
+        }
+        _ => key,
     }
 }
 
@@ -215,6 +257,9 @@ fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
         if joined.contains(name) {
             return Some(sequence);
         }
+    }
+    if let Some(sequence) = primed(key) {
+        return Some(sequence);
     }
     let frame = words.iter().find_map(|word| match word.as_str() {
         "intrinsic" | "moving" | "rotating" => Some(EulerFrame::Intrinsic),
@@ -255,4 +300,22 @@ fn quoted_sequence(letters: &str) -> Option<EulerSequence> {
         frame: frame.unwrap_or(sequence.frame),
         ..sequence
     })
+}
+
+/// Axes that move by their primes: `Z-Y'-X''`, `[X,Y',Z'']`.
+fn primed(key: &str) -> Option<EulerSequence> {
+    let primes = ["''", "″", "’’"];
+    let start = key.find(['\'', '′', '’'])?.checked_sub(1)?;
+    let before = key.get(..=start)?.trim_end_matches(['\'', '′', '’']);
+    let letter = |text: &str| text.chars().rev().find(|mark| mark.is_alphabetic());
+    let second = letter(before)?;
+    let first = letter(&before[..before.len() - second.len_utf8()])?;
+    let after = &key[start + 1..];
+    let third = after.chars().find(|mark| mark.is_alphabetic())?;
+    let end = after.find(third)? + third.len_utf8();
+    let is_primed = primes.iter().any(|prime| after[end..].starts_with(prime));
+    let letters: String = [first, second, third].iter().collect();
+    (is_primed || after[end..].is_empty())
+        .then(|| letters.to_uppercase().parse().ok())
+        .flatten()
 }

@@ -53,6 +53,9 @@ mod scan;
 // Rows under names.
 mod table;
 
+// One turn after the other.
+mod turns;
+
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
@@ -67,7 +70,7 @@ use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::quantity::Value;
 use crate::text::record::scan::scan;
-use crate::text::record::table::Table;
+use crate::text::record::table::{Sentence, Table};
 use crate::text::vocabulary::constructors::order_in_name;
 use std::collections::BTreeSet;
 
@@ -100,6 +103,8 @@ pub(crate) struct Beside {
     pub(crate) what: What,
     pub(crate) label: String,
     pub(crate) numbers: [f64; 3],
+    /// Whether it is told of the world, whichever way the rotation leads.
+    pub(crate) is_in_world: bool,
 }
 
 /// What was found in a text.
@@ -133,17 +138,6 @@ pub(crate) fn record(
 ) -> Record {
     let tokens = scan(text);
     let mut quantities = Quantities::of(&outline(text, &tokens));
-    let mut rows = Vec::new();
-    let mut head = None;
-    if let Some(table) = Table::of(text) {
-        let inside = |span: Span| {
-            table.head.start <= span.start
-                && table.rows.last().is_some_and(|last| span.end <= last.end)
-        };
-        quantities.replace(inside, table.groups);
-        rows = table.rows;
-        head = Some(table.head);
-    }
     let words: BTreeSet<String> = tokens
         .iter()
         .flat_map(|token| {
@@ -156,8 +150,27 @@ pub(crate) fn record(
     let formats: Vec<&'static Format> = formats
         .iter()
         .flat_map(|family| family.iter())
-        .filter(|format| declared.library == Some(format.id) || is_marked(format, &words))
+        .filter(|format| declared.library == Some(format.id) || is_marked(format, &words, text))
         .collect();
+    let sentences: Vec<Sentence> = formats
+        .iter()
+        .flat_map(|format| format.fields)
+        .filter_map(|field| match field {
+            Field::Sentence(begins, names) => Some((*begins, *names)),
+            _ => None,
+        })
+        .collect();
+    let mut rows = Vec::new();
+    let mut head = None;
+    if let Some(table) = Table::of(text, &sentences) {
+        let inside = |span: Span| {
+            table.head.start <= span.start
+                && table.rows.last().is_some_and(|last| span.end <= last.end)
+        };
+        quantities.replace(inside, table.groups);
+        rows = table.rows;
+        head = Some(table.head);
+    }
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);
@@ -188,10 +201,12 @@ pub(crate) fn record(
 }
 
 /// Whether the words by which a format is known stand in a text.
-fn is_marked(format: &Format, words: &BTreeSet<String>) -> bool {
+fn is_marked(format: &Format, words: &BTreeSet<String>, text: &str) -> bool {
     format.marks.iter().all(|mark| {
-        mark.split('|')
-            .any(|name| name.split(' ').all(|word| words.contains(word)))
+        mark.split('|').any(|name| match name.strip_prefix('~') {
+            Some(written) => text.contains(written),
+            None => name.split(' ').all(|word| words.contains(word)),
+        })
     })
 }
 
@@ -214,7 +229,7 @@ fn rotation(found: &Found) -> Option<RecordRotation> {
 
 fn beside(found: &Found) -> Option<Beside> {
     let (what, numbers) = match found.made {
-        Made::Position(numbers) => (What::Position, numbers),
+        Made::Position(numbers) | Made::Centre(numbers) => (What::Position, numbers),
         Made::Scale(numbers) => (What::Scale, numbers),
         _ => return None,
     };
@@ -222,6 +237,7 @@ fn beside(found: &Found) -> Option<Beside> {
         what,
         label: found.label.clone(),
         numbers,
+        is_in_world: matches!(found.made, Made::Centre(_)),
     })
 }
 
@@ -268,7 +284,13 @@ impl Settings {
                     _ => AngleUnit::named(&word),
                 });
         }
-        if is(&["order", "sequence", "seq", "eulerseq", "axes"]) && self.letters.is_none() {
+        // `toArray()` of three.js and the `repr` of Blender: `(0.1, 0.2, 0.3, 'XYZ')`.
+        let is_alone = value.key.is_empty()
+            && value.text.len() == 3
+            && value.text.chars().all(|letter| "XYZ".contains(letter));
+        if (is_alone || is(&["order", "sequence", "seq", "eulerseq", "axes"]))
+            && self.letters.is_none()
+        {
             let is_sequence = value.text.parse::<EulerSequence>().is_ok();
             self.letters = is_sequence.then(|| value.text.to_owned());
         }

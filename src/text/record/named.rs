@@ -23,7 +23,9 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
         let near = found.len().saturating_sub(NEAR);
         let last = found.len().saturating_sub(1);
         let own = (near..found.len()).rev().find(|&at| {
-            found[at].scope == group.scope && belongs(&found[at], &stem, &member, at == last)
+            (found[at].scope == group.scope
+                || is_entry(&member.name) && is_entry(&found[at].members[0].name))
+                && belongs(&found[at], &stem, &member, at == last)
         });
         if let Some(at) = own {
             found[at].others_have_stem |= !stem.is_empty();
@@ -59,10 +61,29 @@ fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -
 }
 
 /// Names that are told one after the other.
-const FOLLOWING: [&str; 5] = [
-    "w x y z",
-    "roll pitch yaw heading bank",
-    "a b c",
-    "rx ry rz",
-    "i j k real",
+const FOLLOWING: [&str; 18] = [
+    "w x y z p r",
+    "qw qx qy qz",
+    "q0 q1 q2 q3 q4 qs qc",
+    "tx ty tz",
+    "px py pz",
+    "ox oy oz ow",
+    "roll pitch yaw heading bank azimuth",
+    "p y r h",
+    "a b c d s t",
+    "rx ry rz rw",
+    "i j k real r",
+    "real imag jmag kmag",
+    "phi1 phi phi2",
+    "phi theta psi",
+    "omega phi kappa",
+    "o a t",
+    "e1 e2 e3",
+    "rot0 rot1 rot2 rot3",
 ];
+
+/// Whether a name is that of an entry of a matrix: `m12`; each row may stand in brackets of its own.
+fn is_entry(name: &str) -> bool {
+    let mut bytes = name.bytes();
+    bytes.next() == Some(b'm') && name.len() == 3 && bytes.all(|byte| byte.is_ascii_digit())
+}

@@ -8,6 +8,14 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
     while let Some(mark) = characters.next() {
         let next_is_small = characters.peek().is_some_and(|next| next.is_lowercase());
         let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
+        // `quat2eul` is quat, eul.
+        if mark == '2'
+            && before.is_alphabetic()
+            && characters.peek().is_some_and(|next| next.is_alphabetic())
+        {
+            before = ' ';
+            continue;
+        }
         let begins = !before.is_alphanumeric()
             || (before.is_lowercase() && mark.is_uppercase())
             || (before.is_uppercase() && mark.is_uppercase() && next_is_small)
@@ -35,6 +43,20 @@ pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
         .map(str::to_lowercase)
 }
 
+/// Names that are written in another way.
+const ALIASES: [(&str, &str); 10] = [
+    ("hdg", "heading"),
+    ("φ₁", "phi1"),
+    ("φ1", "phi1"),
+    ("φ₂", "phi2"),
+    ("φ2", "phi2"),
+    ("φ", "phi"),
+    ("θ", "theta"),
+    ("ψ", "psi"),
+    ("ω", "omega"),
+    ("κ", "kappa"),
+];
+
 /// The name of a single number, and what stands before it: `pose.orientation.x` is x of pose, orientation.
 pub(crate) fn name_and_stem(key: &str) -> (String, String) {
     let mut words = words_of(key);
@@ -42,10 +64,17 @@ pub(crate) fn name_and_stem(key: &str) -> (String, String) {
         words.pop();
     }
     // `a yaw of 12°`
-    while words.len() > 1 && words.last().is_some_and(|last| is_filler(last)) {
+    while words.len() > 1
+        && words
+            .last()
+            .is_some_and(|last| is_filler(last) && last != "a")
+    {
         words.pop();
     }
     let mut name = words.pop().unwrap_or_default();
+    if let Some((_, same)) = ALIASES.iter().find(|(alias, _)| *alias == name) {
+        name = (*same).to_owned();
+    }
     words.retain(|word| !is_filler(word));
     // `q[0]` is q0, `matrix[1][2]` and `M12` are m12.
     let is_place =
@@ -87,7 +116,26 @@ fn is_addition(word: &str) -> bool {
 pub(crate) fn is_usual_name(cell: &str) -> bool {
     const NAMES: &str = "w x y z qw qx qy qz q0 q1 q2 q3 q4 qs qc qr qi qj qk tx ty tz px py pz roll pitch yaw heading \
                          rx ry rz a b c o t phi theta psi phi1 phi2 omega kappa quatw quati quatj quatk \
-                         xposition yposition zposition xrotation yrotation zrotation orient1 orient2 orient3 orient4";
+                         euler1 euler2 euler3 ox oy oz ow xposition yposition zposition xrotation yrotation zrotation orient1 orient2 orient3 orient4";
     let (name, _) = name_and_stem(cell);
     NAMES.split_whitespace().any(|known| known == name)
+}
+
+/// The names of a list of numbers where there are as many: `roll, pitch, yaw`, `φ₁, Φ, φ₂`, `X,Y,Z`.
+pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
+    const ANGLES: &str =
+        "roll pitch yaw heading bank phi1 phi phi2 theta psi omega kappa azimuth x y z w p r a b c";
+    if !(3..=7).contains(&count) {
+        return None;
+    }
+    let names: Vec<&str> = key
+        .split(|mark: char| mark.is_whitespace() || ",;/|()[]".contains(mark))
+        .filter(|name| !name.is_empty())
+        .collect();
+    let is_one = |name: &&str| {
+        let (own, stem) = name_and_stem(name);
+        stem.is_empty() && ANGLES.split(' ').any(|known| known == own)
+    };
+    let distinct = |names: &[&str]| (1..names.len()).all(|at| !names[..at].contains(&names[at]));
+    (names.len() == count && names.iter().all(is_one) && distinct(&names)).then_some(names)
 }

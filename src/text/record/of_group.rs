@@ -5,7 +5,7 @@ use crate::convention::order::OrderSource;
 use crate::text::description::ParsedRotation;
 use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::record::format::{Angles, Field, Part, Unit};
-use crate::text::record::found::{Asked, Context, Found, label_of, next_key, stands_under};
+use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
@@ -23,7 +23,12 @@ pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -
             Field::Any(parts) => (true, parts),
             Field::Row(parts) => (is_bare(group), parts),
             Field::CommaRow(parts) => (is_bare(group) && group.has_commas, parts),
-            Field::Named(..) | Field::NamedUnder(..) | Field::OnlyNamed(..) | Field::Groups(_) => {
+            Field::Named(..)
+            | Field::NamedUnder(..)
+            | Field::OnlyNamed(..)
+            | Field::Groups(_)
+            | Field::VectorThenAngle(_)
+            | Field::Sentence(..) => {
                 return None;
             }
         };
@@ -68,40 +73,76 @@ pub(crate) fn groups_together(
     fields: &[Asked],
 ) -> Vec<Found> {
     for (field, format) in fields {
-        let Field::Groups(parts) = field else {
+        let Field::Groups(all_parts) = field else {
             continue;
         };
-        for groups in quantities.groups.windows(parts.len()) {
-            let are_bare = groups[1..]
-                .iter()
-                .all(|group| next_key(&group.path).is_none());
-            let fits = groups
-                .iter()
-                .zip(*parts)
-                .all(|(group, part)| group.numbers.len() == part.count());
-            if !are_bare || !fits {
+        for groups in quantities.groups.windows(all_parts.len()) {
+            let are_bare = groups[1..].iter().all(|group| {
+                group.path.last().is_none_or(|key| key.is_empty())
+                    && group.path.len() <= groups[0].path.len() + 1
+            });
+            if !are_bare {
                 continue;
             }
-            return groups
+            let made: Option<Vec<Vec<Made>>> = groups
                 .iter()
-                .zip(*parts)
-                .filter_map(|(group, part)| {
+                .zip(*all_parts)
+                .map(|(group, parts)| {
                     let said = context.said(&Meaning::of(&group.path));
-                    let made = made(&[*part], &group.numbers, said)?;
-                    Some(Found {
-                        made: made.into_iter().next()?,
-                        label: label_of(&group.path),
-                        span: group.span,
-                        is_derived: false,
-                        is_computed: group.is_computed,
-                        format: *format,
-                        has_rows: true,
-                    })
+                    made(parts, &group.numbers, said)
                 })
                 .collect();
+            let Some(made) = made else {
+                continue;
+            };
+            let found = groups.iter().zip(made).flat_map(|(group, made)| {
+                made.into_iter().map(|made| Found {
+                    made,
+                    label: label_of(&group.path),
+                    span: group.span,
+                    is_derived: false,
+                    is_computed: group.is_computed,
+                    format: *format,
+                    has_rows: true,
+                })
+            });
+            return found.collect();
         }
     }
     Vec::new()
+}
+
+/// An axis in brackets and the angle behind them: `(Vector((0, 0, 1)), 0.5)`.
+pub(crate) fn vector_then_angle(
+    quantities: &Quantities<'_>,
+    context: &Context,
+    fields: &[Asked],
+) -> Option<Found> {
+    fields.iter().find_map(|(field, format)| {
+        let Field::VectorThenAngle(unit) = field else {
+            return None;
+        };
+        quantities.groups.windows(2).find_map(|pair| {
+            let [axis, angle] = pair else {
+                return None;
+            };
+            if axis.numbers.len() != 3 || angle.numbers.len() != 1 {
+                return None;
+            }
+            let numbers = [&axis.numbers[..], &angle.numbers[..]].concat();
+            let said = context.said(&Meaning::of(&axis.path));
+            let made = made(&[Part::AxisAngle(*unit)], &numbers, said)?;
+            Some(Found {
+                made: made.into_iter().next()?,
+                label: String::new(),
+                span: axis.span.to(angle.span),
+                is_derived: false,
+                is_computed: axis.is_computed || angle.is_computed,
+                format: *format,
+                has_rows: true,
+            })
+        })
+    })
 }
 
 /// What numbers are by their name and count.
@@ -139,6 +180,10 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         ) => {
             let rotation = quaternion(numbers, said.order);
             rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
+        }
+        (6, _) if said.sequence.is_some() => {
+            let angles = Angles::new("ZYX", Unit::BySize);
+            parts(&[Part::Position, Part::Euler(angles)]).unwrap_or(none)
         }
         (7, _) => parts(&[Part::Position, Part::Quaternion(None)])
             .or_else(|| parts(&[Part::Quaternion(None), Part::Position]))

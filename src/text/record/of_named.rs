@@ -1,27 +1,36 @@
 //! What single numbers are by their names.
 
-use crate::convention::angle::AngleUnit;
 use crate::convention::order::OrderSource;
 use crate::problem::Span;
-use crate::text::record::format::{Angles, Field, Part, Unit};
+use crate::text::record::format::{Field, Part};
 use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::meaning::{Meaning, Role};
-use crate::text::record::parts::{Said, made};
+use crate::text::record::parts::made;
 use crate::text::record::quantity::Named;
 
 pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
     let mut path = named.path.clone();
     path.push(&named.stem);
     let meaning = Meaning::of(&path);
+    let has_scalar = named.members.iter().any(|member| member.name == "w");
     let mut left: Vec<&_> = named.members.iter().collect();
     let mut all = Vec::new();
     for (field, format) in fields {
         let (names, parts) = match field {
-            Field::OnlyNamed(names, parts) if named.members.len() == names.split(' ').count() => {
+            Field::OnlyNamed(names, parts)
+                if named
+                    .members
+                    .iter()
+                    .map(|member| member.name.as_str())
+                    .eq(names.split(' ')) =>
+            {
                 (names, parts)
             }
             Field::Named(names, parts) => (names, parts),
-            Field::NamedUnder(above, names, parts) if stands_under(&path, above) => (names, parts),
+            // With a scalar beside them they are no angles.
+            Field::NamedUnder(above, names, parts) if stands_under(&path, above) && !has_scalar => {
+                (names, parts)
+            }
             _ => continue,
         };
         let wanted: Vec<&str> = names.split(' ').collect();
@@ -90,56 +99,4 @@ fn is_of_vector(meaning: &Meaning) -> bool {
                 | Role::Vector
         )
     )
-}
-
-/// One turn after the other about moving axes, by their names: `rotateY(10deg) rotateX(20deg) rotateZ(30deg)`,
-/// and the channels of BVH.
-pub(crate) fn turns_by_axis(named: &Named<'_>, context: &Context) -> Option<Found> {
-    let of_stem = named.stem.ends_with("rotate");
-    let axis = |name: &str| -> Option<char> {
-        let letter = if of_stem {
-            name
-        } else {
-            name.strip_suffix("rotation")?
-        };
-        matches!(letter, "x" | "y" | "z").then(|| letter.chars().next())?
-    };
-    let turns: Vec<_> = named
-        .members
-        .iter()
-        .filter_map(|member| Some((axis(&member.name)?, member)))
-        .collect();
-    let [(first, one), (second, two), (third, three)] = turns[..] else {
-        return None;
-    };
-    let letters: String = [first, second, third]
-        .iter()
-        .map(char::to_ascii_uppercase)
-        .collect();
-    let meaning = Meaning::default();
-    let unit = [one, two, three].iter().find_map(|member| member.unit);
-    let said = Said {
-        letters: Some(&letters),
-        unit: unit.or(context.unit),
-        ..context.said(&meaning)
-    };
-    let angles = Angles::new(
-        "XYZ",
-        if of_stem {
-            Unit::BySize
-        } else {
-            Unit::Always(AngleUnit::Degrees)
-        },
-    );
-    let numbers = [one.value, two.value, three.value];
-    let made = made(&[Part::Euler(angles)], &numbers, said)?;
-    Some(Found {
-        made: made.into_iter().next()?,
-        label: label_of(&named.path),
-        span: one.span.to(three.span),
-        is_derived: false,
-        is_computed: [one, two, three].iter().any(|member| member.is_computed),
-        format: None,
-        has_rows: true,
-    })
 }

@@ -38,6 +38,8 @@ pub(crate) enum Made {
     /// A rotation of nine numbers that stood column by column.
     Columns(ParsedRotation),
     Position([f64; 3]),
+    /// Where the body is, in the world.
+    Centre([f64; 3]),
     Scale([f64; 3]),
     Nothing,
 }
@@ -73,10 +75,23 @@ fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
         Part::Nanoseconds if numbers[0] >= LEAST_NANOSECONDS => Made::Nothing,
         Part::Time | Part::Nanoseconds => return None,
         Part::Position => Made::Position(three()?),
+        Part::Centre => Made::Centre(three()?),
         Part::Scale => Made::Scale(three()?),
         Part::Quaternion(order) => {
             let order = order.map_or(said.order, |order| (order, OrderSource::Format));
             Made::Rotation(quaternion(numbers, order)?)
+        }
+        Part::ScaledQuaternion(order) => {
+            let array = <[f64; 4]>::try_from(numbers).ok()?;
+            let [w, x, y, z] = order.components(array);
+            Made::Rotation(ParsedRotation::Quaternion(ParsedQuaternion {
+                quaternion: Quaternion::new(w, x, y, z),
+                order,
+                order_source: OrderSource::Format,
+                unknown_constructor: None,
+                is_announced: true,
+                unexplained_label: None,
+            }))
         }
         Part::Euler(angles) => Made::Rotation(euler(three()?, angles, said)?),
         Part::RotationVector(unit) => {

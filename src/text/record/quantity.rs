@@ -16,7 +16,6 @@ pub(crate) struct Group<'t> {
     pub(crate) scope: usize,
     /// Whether a sign that computes stands at it or inside.
     pub(crate) is_computed: bool,
-    pub(crate) follows_bar: bool,
     /// The unit that stands behind one of the numbers.
     pub(crate) unit: Option<AngleUnit>,
     /// Whether commas divide the numbers.
@@ -30,6 +29,7 @@ pub(crate) struct Group<'t> {
 pub(crate) struct Value<'t> {
     pub(crate) key: &'t str,
     pub(crate) text: &'t str,
+    pub(crate) span: Span,
 }
 
 /// Single numbers by name that stand together: `x: 1 y: 2 z: 3`.

@@ -1,11 +1,15 @@
 //! Numbers whose names say that they are the rows or the columns of one matrix.
 
-use crate::text::record::names::words_of;
+use crate::text::record::names::{names_of_list, words_of};
 use crate::text::record::quantity::{Group, own_key};
 
 /// The groups with those in place of three or four of them that are the rows or the columns of a matrix.
 pub(crate) fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
-    let groups: Vec<Group<'_>> = groups.into_iter().map(without_numbering).collect();
+    let groups: Vec<Group<'_>> = groups
+        .into_iter()
+        .filter(|group| own_key(group) != "REMARK")
+        .map(without_numbering)
+        .collect();
     let mut all: Vec<Group<'_>> = Vec::new();
     let mut rest = &groups[..];
     while let Some(first) = rest.first() {
@@ -30,8 +34,8 @@ pub(crate) fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
                 .collect();
             let is_matrix = matches!((count, length), (3, 3 | 4) | (4, 3 | 4));
             let named =
-                rows_or_columns(&names).or_else(|| are_axes(&names).then_some("columns"))?;
-            (is_one && is_matrix && !(count == 4 && length == 3 && named == "rows"))
+                rows_or_columns(&names).or_else(|| are_axes(&names).then_some(BY_COLUMNS))?;
+            (is_one && is_matrix && !(count == 4 && length == 3 && named == BY_ROWS))
                 .then_some((rows, named))
         });
         match of_matrix {
@@ -57,6 +61,10 @@ pub(crate) fn with_rows_by_name(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
     all
 }
 
+/// What a matrix is named whose rows, or columns, have names.
+pub(crate) const BY_ROWS: &str = "row by row";
+pub(crate) const BY_COLUMNS: &str = "column by column";
+
 /// What the names of three or four groups say of them: `R0`, `R1`, `R2` are rows, `c0`, `c1`, `c2` columns.
 fn rows_or_columns(names: &[String]) -> Option<&'static str> {
     let stems: Vec<(&str, char)> = names
@@ -73,8 +81,8 @@ fn rows_or_columns(names: &[String]) -> Option<&'static str> {
         .all(|(&(own, last), expected)| own == stem && u32::from(last) == expected);
     match stem {
         _ if !goes_on || !first.is_ascii_digit() => None,
-        "" | "r" | "row" | "rows" | "m" => Some("rows"),
-        "c" | "col" | "column" | "columns" => Some("columns"),
+        "" | "r" | "row" | "rows" | "m" => Some(BY_ROWS),
+        "c" | "col" | "column" | "columns" => Some(BY_COLUMNS),
         _ => None,
     }
 }
@@ -143,4 +151,33 @@ fn without_numbering(group: Group<'_>) -> Group<'_> {
         rows: vec![4],
         ..group
     }
+}
+
+/// The groups with single numbers in place of those whose name is a list of theirs: `(φ₁, Φ, φ₂) = (10, 20, 30)`.
+pub(crate) fn with_listed_names(groups: Vec<Group<'_>>) -> Vec<Group<'_>> {
+    groups
+        .into_iter()
+        .flat_map(|group| {
+            let key = own_key(&group);
+            let Some(names) = names_of_list(key, group.numbers.len()) else {
+                return vec![group];
+            };
+            let scope = usize::MAX - group.span.start;
+            names
+                .into_iter()
+                .zip(group.numbers.clone())
+                .map(|(name, number)| {
+                    let mut path = group.path.clone();
+                    path.push(name);
+                    Group {
+                        path,
+                        numbers: vec![number],
+                        rows: vec![1],
+                        scope,
+                        ..group.clone()
+                    }
+                })
+                .collect()
+        })
+        .collect()
 }

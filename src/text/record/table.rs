@@ -1,5 +1,6 @@
 //! Rows of a file under a line of names: each number gets the name of its column.
 
+use crate::convention::angle::AngleUnit;
 use crate::decimal::nearest_double;
 use crate::problem::Span;
 use crate::text::record::names::is_usual_name;
@@ -43,16 +44,50 @@ const FEWEST_COLUMNS: usize = 3;
 /// The most lines of names above each other, and the most that stand between them and the first row.
 const MOST_HEADS: usize = 4;
 
+/// What a sentence of numbers begins with, and the names of its numbers; an empty one is of something else.
+pub(crate) type Sentence = (&'static str, &'static [&'static str]);
+
 /// The cells of a line, and its place.
 type Line<'t> = (Span, Vec<&'t str>);
 
 impl<'t> Table<'t> {
-    pub(crate) fn of(text: &'t str) -> Option<Self> {
+    pub(crate) fn of(text: &'t str, sentences: &[Sentence]) -> Option<Self> {
+        if let Some(table) = sentences
+            .iter()
+            .find_map(|sentence| Self::sentence(text, sentence))
+        {
+            return Some(table);
+        }
         let by_channels = || Self::named(text, Divided::Spaces, channels);
         let by_format = || Self::named(text, Divided::Commas, format_line);
         by_channels()
             .or_else(by_format)
             .or_else(|| WAYS.into_iter().find_map(|way| Self::divided(text, way)))
+    }
+
+    /// The numbers of a sentence by the names of its format; its angles are degrees.
+    fn sentence(text: &'t str, (begins, names): &Sentence) -> Option<Self> {
+        let start = text.find(begins)?;
+        let line = text[start..].lines().next()?;
+        let inside = line.split('*').next()?;
+        let cells: Vec<&str> = inside[begins.len()..]
+            .trim_start_matches(',')
+            .split(',')
+            .collect();
+        let span = Span::from(start..start + line.len());
+        let columns: Vec<Vec<&str>> = names.iter().map(|name| vec![*name]).collect();
+        let groups = groups(text, &cells, &columns, Divided::Commas);
+        let groups = groups.into_iter().map(|group| Group {
+            unit: Some(AngleUnit::Degrees),
+            ..group
+        });
+        Some(Self {
+            groups: groups
+                .filter(|group| group.path.last() != Some(&""))
+                .collect(),
+            rows: vec![span],
+            head: Span::from(start..start + begins.len()),
+        })
     }
 
     /// The table whose names are found so, and whose rows have as many cells at their end.
@@ -110,6 +145,12 @@ impl<'t> Table<'t> {
             between.then_some((at, at + 1 + row))
         })?;
         let count = lines[at].1.len();
+        // Names above names: the last line of them is the next to the row.
+        let is_names = |line: &usize| {
+            let cells = &lines[*line].1;
+            cells.len() == count && cells.iter().all(|cell| number(cell, way).is_none())
+        };
+        let at = (at..row).rev().find(is_names).unwrap_or(at);
         let first_head = (at.saturating_sub(MOST_HEADS)..at)
             .rev()
             .take_while(|&above| {
@@ -123,6 +164,14 @@ impl<'t> Table<'t> {
             .take_while(|(_, cells)| is_row(cells, count))
             .map(|(span, _)| *span)
             .collect();
+        let head = lines[first_head].0.to(lines[at].0);
+        if let Some(matrix) = matrix(&lines[at].1, &lines[row..row + rows.len()], way) {
+            return Some(Self {
+                groups: vec![matrix],
+                rows: vec![rows[0].to(rows[rows.len() - 1])],
+                head,
+            });
+        }
         let cells = &lines[row].1;
         let columns: Vec<Vec<&str>> = (0..count)
             .map(|column| {
@@ -134,9 +183,32 @@ impl<'t> Table<'t> {
         Some(Self {
             groups: groups(text, &cells[cells.len() - count..], &columns, way),
             rows,
-            head: lines[first_head].0.to(lines[at].0),
+            head,
         })
     }
+}
+
+/// The rows of a matrix under the names of its axes: `| | x | y | z |`.
+fn matrix<'t>(head: &[&str], rows: &[Line<'t>], way: Divided) -> Option<Group<'t>> {
+    let names: String = head.concat().to_lowercase();
+    let numbers: Vec<Vec<f64>> = rows
+        .iter()
+        .map(|(_, cells)| cells.iter().filter_map(|cell| number(cell, way)).collect())
+        .collect();
+    let length = numbers[0].len();
+    let is_square = numbers.iter().all(|row: &Vec<f64>| row.len() == length)
+        && matches!((numbers.len(), length), (3, 3 | 4) | (4, 4));
+    (is_square && ["xyz", "xyzt", "xyzw"].contains(&names.as_str())).then(|| Group {
+        path: vec!["", ""],
+        rows: vec![length; numbers.len()],
+        numbers: numbers.concat(),
+        span: rows[0].0.to(rows[rows.len() - 1].0),
+        scope: usize::MAX,
+        is_computed: false,
+        unit: None,
+        has_commas: false,
+        is_line: true,
+    })
 }
 
 /// Whether cells are names: of words that only spaces divide, those of a rotation or a position.
@@ -234,7 +306,6 @@ fn groups<'t>(
                 span: Span::from(start..start + cell.len()),
                 scope: usize::MAX,
                 is_computed: false,
-                follows_bar: false,
                 unit: None,
                 has_commas: true,
                 is_line: false,

@@ -1,6 +1,6 @@
 //! What brackets and elements hold.
 
-use crate::text::record::outline::{Builder, Kind, Open, Opened, Pending, scope};
+use crate::text::record::outline::{Builder, Kind, Member, Open, Opened, Pending, scope};
 use crate::text::record::scan::{Mark, Token};
 
 impl<'t> Builder<'t> {
@@ -23,6 +23,22 @@ impl<'t> Builder<'t> {
         if self.open.len() > 1
             && let Some(Open { mut member, .. }) = self.open.pop()
         {
+            // Haskell: `V3 (-0.7) 0.5 0.1`.
+            if member.is_bracketed
+                && (member.key.is_empty() || self.text[..member.span.start].ends_with(' '))
+                && self.text[member.span.start..].starts_with("(-")
+                && let [only] = &member.members[..]
+                && matches!(only.kind, Kind::Number(_))
+                && only.key.is_empty()
+            {
+                let number = Member {
+                    row: member.row,
+                    key: member.key,
+                    ..only.clone()
+                };
+                self.inside().members.push(number);
+                return;
+            }
             let last = member.members.last().map_or(member.span, |last| last.span);
             member.span = member.span.to(last);
             // Its own row: what follows in this line is beside it.

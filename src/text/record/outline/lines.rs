@@ -22,10 +22,7 @@ impl<'t> Builder<'t> {
             let key = self.text[start..start + length].trim();
             let member = scope(key, "", self.span_of(key), self.row);
             self.open.push(Open {
-                opened: Opened::Heading {
-                    indent: 0,
-                    takes_same: true,
-                },
+                opened: Opened::Typed,
                 member,
             });
             return;
@@ -76,7 +73,7 @@ impl<'t> Builder<'t> {
         self.flush();
         while matches!(
             self.open.last().map(|open| open.opened),
-            Some(Opened::Heading { .. })
+            Some(Opened::Heading { .. } | Opened::Typed)
         ) {
             self.close();
         }

@@ -53,6 +53,8 @@ enum Opened {
         indent: usize,
         takes_same: bool,
     },
+    /// What was typed at a prompt.
+    Typed,
 }
 
 struct Open<'t> {

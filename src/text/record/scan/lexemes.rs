@@ -87,7 +87,8 @@ pub(crate) fn prompt(line: &str) -> usize {
                 .bytes()
                 .all(|byte| byte.is_ascii_digit())
         {
-            let after = inside[end + 1..].trim_start_matches([':', '=']);
+            let after = inside[end + 1..].trim_start_matches("//MatrixForm");
+            let after = after.trim_start_matches([':', '=']);
             return line.len() - after.len();
         }
     }
@@ -118,6 +119,11 @@ pub(crate) fn time(text: &str) -> Option<usize> {
     (is_date || is_clock).then_some(length)
 }
 
+/// Units that may touch a number.
+const UNITS: [&str; 12] = [
+    "deg", "rad", "mm", "m", "cm", "s", "ms", "px", "degrees", "turn", "grad", "gon",
+];
+
 /// How many bytes at the start are no number though they begin with a digit: `3x3`, `4×4`, `17a3`, `10.0.0.1`.
 pub(crate) fn identifier(text: &str) -> Option<usize> {
     let length = text
@@ -135,8 +141,18 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
         rest.bytes().all(|byte| byte.is_ascii_digit())
             && (!rest.is_empty() || text[length..].starts_with(['+', '-']))
     });
-    let is_known = unit.is_empty()
-        || is_exponent
-        || ["deg", "rad", "mm", "m", "cm", "s", "ms", "px", "degrees"].contains(&unit);
+    let is_unit = |unit: &str| UNITS.contains(&unit);
+    let whole = written.trim_start_matches(|mark: char| mark.is_ascii_digit() || mark == '.');
+    let is_known = unit.is_empty() || is_exponent || is_unit(unit) || is_unit(whole);
     (points > 1 || !is_known).then_some(written.len().max(1))
+}
+
+/// Whether a text ends with the letter of an axis that stands alone.
+pub(crate) fn is_axis(text: &str) -> bool {
+    let mut letters = text.chars().rev();
+    let is_letter = letters.next().is_some_and(|last| "XYZxyz".contains(last));
+    is_letter
+        && letters
+            .next()
+            .is_none_or(|before| !before.is_alphanumeric())
 }

@@ -149,10 +149,21 @@ impl<'t> Scanner<'t> {
         let length = rest.len() - inside.len();
         self.push(Mark::Line(indent), length);
         let prompt = prompt(inside);
-        if inside.starts_with(['>', 'I', 'O']) && prompt > 0 {
+        if inside.starts_with(['>', 'I']) && prompt > 0 {
             self.push(Mark::Prompt, prompt);
         } else {
             self.at += prompt;
+        }
+        // The name stands before the middle row: `R = | 1 0 0 |`, as PCL prints it.
+        if let Some(frame) = self
+            .rest()
+            .find(['|', '⎢', '⎜'])
+            .filter(|_| self.follows_frame(rest))
+        {
+            let before = &self.rest()[..frame];
+            if before.trim_end().ends_with('=') && !before.contains(['\n', '.', ',']) {
+                self.at += frame;
+            }
         }
         // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
         let rest = self.rest();
@@ -180,6 +191,14 @@ impl<'t> Scanner<'t> {
         }
     }
 
+    /// Whether the line before this one begins with the frame of a matrix.
+    fn follows_frame(&self, line: &str) -> bool {
+        let start = self.text.len() - line.len();
+        let before = self.text[..start].trim_end_matches('\n');
+        let before = &before[before.rfind('\n').map_or(0, |at| at + 1)..];
+        before.trim_start().starts_with(['|', '⎡', '⎛', '⎢', '⎜'])
+    }
+
     fn step(&mut self) {
         if self.quotes.last() == Some(&self.at) {
             self.quotes.pop();
@@ -203,6 +222,8 @@ impl<'t> Scanner<'t> {
                 self.at += tag;
             }
             '*' if is_checksum(rest) => self.at += 3,
+            // The type of a value of Maya: `setAttr ".r" -type "double3" 1 2 3`.
+            '-' if rest.starts_with("-type \"double3\"") => self.at += "-type \"double3\"".len(),
             // Bold face.
             '*' if second == '*' && !rest[2..].starts_with(|mark: char| mark.is_ascii_digit()) => {
                 self.at += 2;
@@ -231,6 +252,8 @@ impl<'t> Scanner<'t> {
             '[' if row_label(rest) > 0 => self.at += row_label(rest),
             '(' | '[' | '{' => self.push(Mark::Open, 1),
             ')' | ']' | '}' => self.push(Mark::Close, 1),
+            // `( x y z <| angle )`, as JOML prints it.
+            '<' if second == '|' => self.push(Mark::Comma, 2),
             '<' => self.angle(),
             '/' if second == '>' => self.push(Mark::TagClose, 2),
             '=' if second == '>' => self.push(Mark::Label, 2),

@@ -1,7 +1,7 @@
 //! Names, what stands in quotes, and tags.
 
 use crate::problem::Span;
-use crate::text::record::scan::lexemes::{element, name, types};
+use crate::text::record::scan::lexemes::{element, is_axis, name, types};
 use crate::text::record::scan::{Mark, Scanner, Token};
 
 impl<'t> Scanner<'t> {
@@ -26,6 +26,9 @@ impl<'t> Scanner<'t> {
                     || is_code())
             {
                 end += joint + name(next);
+            } else if is_axis(&rest[..end]) && after.starts_with('\'') {
+                // A moved axis: `Z-Y'-X''`.
+                end += after.len() - after.trim_start_matches('\'').len();
             } else if element(after) > 0 {
                 end += element(after);
             } else if after.starts_with("[]") {
@@ -113,7 +116,8 @@ impl<'t> Scanner<'t> {
                 .trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-.:".contains(mark))
                 .len();
         let after = inside[length..].trim_start();
-        let attribute = &after[name(after)..];
+        let attribute =
+            after.trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-:.".contains(mark));
         let is_tag = length > 0
             && inside.starts_with(|first: char| first.is_alphabetic())
             && (after.starts_with('>')

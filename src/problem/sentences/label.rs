@@ -18,7 +18,7 @@ impl Fault {
 
     /// A comment that says that the numbers are something else.
     pub(crate) fn other_comment(span: Span, what: &str, wanted: Wanted) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
+        Self::told(ProblemCode::OtherQuantity, span, || {
             let itself = itself(wanted);
             Words::new(
                 format!("this comment speaks of {what}, not of the {itself} itself"),
@@ -30,7 +30,7 @@ impl Fault {
 
     /// A label or a comment that names an order of components which is none of the two, or both.
     pub(crate) fn other_order(span: Span, wanted: Wanted) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
+        Self::told(ProblemCode::OtherQuantity, span, || {
             let orders = match wanted {
                 Wanted::Quaternion => "w x y z or x y z w",
                 Wanted::Vector => "x y z",
@@ -45,7 +45,7 @@ impl Fault {
 
     pub(crate) fn left_handed(span: Span) -> Self {
         Self::new(
-            ProblemCode::UnknownWord,
+            ProblemCode::OtherQuantity,
             span,
             "left-handed axes: the same numbers turn the other way round",
             "numbers for right-handed axes",
@@ -66,7 +66,7 @@ impl Fault {
 
     /// A label or a comment of angles or of a vector along the axis that lead from the world to the body.
     pub(crate) fn opposite_attitude(span: Span, what: &str) -> Self {
-        Self::told(ProblemCode::UnknownWord, span, || {
+        Self::told(ProblemCode::OtherQuantity, span, || {
             Words::new(
                 format!("these words say {what}; angles and their axes are read as body to world"),
                 "the turn of the body as seen from the world",

@@ -4,8 +4,6 @@ use crate::analyze::describe::rules;
 use crate::analyze::matrix::of_matrix;
 use crate::analyze::norm::{check_norm, is_far_from_unit};
 use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
-#[cfg(feature = "whole")]
-use crate::analyze::record::of_record;
 use crate::contract::{
     AngleUnitAssumed, Column, Components, DirectionFromText, Fact, Form, PairedMatrix,
     ReadAxisAngle, ReadEulerAngles, ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues,
@@ -16,16 +14,14 @@ use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
+use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Suggestions, suggestions};
-use crate::problem::{Field, Problem, Span, Wanted};
-#[cfg(feature = "whole")]
-use crate::problem::{ProblemCode, is_too_long};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{AxisVector, half_angle_exponential};
+use crate::text::mend::meanings;
 use crate::text::mend::unit::{self, UnitTexts};
-use crate::text::mend::{meanings, with_suggestion};
 use crate::text::{
     ParsedQuaternion, ParsedRotation, RotationText, RowMarks, parse_rotation, read_rotation,
 };
@@ -70,39 +66,8 @@ pub(crate) struct Attitude {
 }
 
 impl Attitude {
-    /// The attitude that a text holds, or its first problem with what to write instead.
-    pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
-        let read = |text: &str| Self::read(text, declared);
-        let attitude = read(text).map_err(|fault| {
-            let read = |candidate: &str| read(candidate).map(drop);
-            with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
-        })?;
-        let attitude = attitude.with_meanings(text);
-        if attitude.unit.is_some() {
-            return Ok(attitude);
-        }
-        let is_read = |text: &str| read(text).is_ok();
-        let texts = unit::inside_functions(text, &is_read);
-        Ok(Self {
-            unit: texts.map(|texts| unit_assumed(AngleUnit::Radians, texts)),
-            ..attitude
-        })
-    }
-
-    /// The attitude of a text that is a rotation by itself, or that holds one.
-    fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
-        let plain = Self::plain(text, declared);
-        #[cfg(feature = "whole")]
-        if is_record(text, &plain)
-            && let Some(found) = of_record(text, declared, &plain)
-        {
-            return found;
-        }
-        plain
-    }
-
     /// The attitude of a text that is a rotation and nothing else.
-    fn plain(text: &str, declared: Declared) -> Result<Self, Fault> {
+    pub(crate) fn plain(text: &str, declared: Declared) -> Result<Self, Fault> {
         let parsed = read_rotation(text, declared.convention.order)?;
         Self::of_parsed(parsed, text, declared)
     }
@@ -237,7 +202,7 @@ impl Attitude {
     }
 
     /// With the texts that say what the numbers are, where their norm leaves it open.
-    fn with_meanings(self, text: &str) -> Self {
+    pub(crate) fn with_meanings(self, text: &str) -> Self {
         let read = |text: &str| parse_rotation(text, self.declared.order).ok();
         let meanings = match &self.parsed {
             Some(parsed) if self.is_far_from_unit() => {
@@ -313,17 +278,6 @@ impl Attitude {
             convention,
             rows: rows3(&self.rotation.to_tagged_matrix(convention).entries),
             form: self.declared.cosine_matrix(convention),
-        }
-    }
-}
-
-/// Whether a text may hold more than the rotation that it is read as, or one that it is not read as.
-#[cfg(feature = "whole")]
-fn is_record(text: &str, plain: &Result<Attitude, Fault>) -> bool {
-    match plain {
-        Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
-        Err(fault) => {
-            !is_too_long(text) && !(fault.code == ProblemCode::EmptyText && text.trim().is_empty())
         }
     }
 }

@@ -37,6 +37,9 @@ mod plain_numbers;
 // What one attitude means.
 pub(crate) mod read;
 
+// A text to an attitude.
+mod reading;
+
 // The attitude in a whole block of text.
 #[cfg(feature = "whole")]
 mod record;

@@ -15,7 +15,7 @@ use crate::problem::{ProblemCode, Span, shorten};
 use crate::text::mend::written::rotation_text;
 use crate::text::{
     DeclaredFormat, FORMATS, PLAIN, ParsedRotation, Record, RecordRotation, RotationText, RowMarks,
-    Told, What, record, says_nothing,
+    Told, What, record_of, says_nothing,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -34,7 +34,7 @@ pub(crate) fn of_record(
         order: declared.convention.order,
         library: declared.library.map(|library| library.id),
     };
-    let record = record(text, of_text, FORMATS, PLAIN);
+    let record = record_of(text, of_text, FORMATS, PLAIN);
     match plain {
         Ok(plain) => beside_plain(text, declared, &record, plain),
         Err(fault) if may_hold_more(text, &record, fault) => of_block(text, declared, &record),

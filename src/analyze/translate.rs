@@ -130,13 +130,13 @@ fn attitude(
         return read.map_err(|problem| record_numbers::about_all(problem, text));
     }
     let in_order = |order| Attitude::of_text(text, Field::Quaternion, declared(order));
-    let read = in_order(from.order);
-    let is_settled = match &read {
+    let plain = Attitude::plain(text, declared(from.order));
+    let is_settled = match &plain {
         Ok(attitude) => !attitude.is_of_unknown_constructor(),
-        Err(problem) => problem.code == ProblemCode::TextTooLong,
+        Err(fault) => fault.code == ProblemCode::TextTooLong,
     };
     if is_settled {
-        return read;
+        return in_order(from.order);
     }
     // The library's own line, whatever its form, as the other end of a translation shows it.
     let known = [pasted, from.library].into_iter().flatten();
@@ -147,9 +147,9 @@ fn attitude(
     }
     let library = pasted.or(from.library);
     let constructor = library.and_then(|library| library.constructor_order);
-    match (read, constructor) {
+    match (plain, constructor) {
         (Ok(_), Some(order)) => in_order(order),
-        (read, _) => read,
+        _ => in_order(from.order),
     }
 }
 

@@ -135,7 +135,7 @@ use crate::text::description::{list, quaternion};
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
+pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::labels::says_nothing;

@@ -2,7 +2,7 @@
 
 use crate::asked::{DEGREES, facts, read, unit_of};
 use crate::checked::{check_read, check_refusal, check_refused};
-use quatlas::ProblemCode::{MixedUnits, UnknownWord};
+use quatlas::ProblemCode::{MixedUnits, OtherQuantity};
 use quatlas::{Convention, Fact, Field};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -49,13 +49,13 @@ fn the_order_in_a_comment_is_that_of_four_numbers() {
     check_refused(&[
         (
             "0.1 -0.2 0.38 0.92 # from wxyz to xyzw",
-            UnknownWord,
+            OtherQuantity,
             "# from wxyz to xyzw",
             "more than one",
         ),
         (
             "0.38 -0.2 0.1 0.92 # z y x w",
-            UnknownWord,
+            OtherQuantity,
             "# z y x w",
             "order",
         ),
@@ -63,7 +63,7 @@ fn the_order_in_a_comment_is_that_of_four_numbers() {
     check_refusal(
         Field::Vector,
         "3 2 1 # z y x",
-        UnknownWord,
+        OtherQuantity,
         "# z y x",
         "order",
     );
@@ -74,38 +74,38 @@ fn a_comment_that_speaks_of_something_else_stops_the_text() {
     check_refused(&[
         (
             "1 0 0 0 # conjugate of q",
-            UnknownWord,
+            OtherQuantity,
             "# conjugate of q",
             "a conjugate",
         ),
         (
             "0.6 0 0 0.8 // inverse",
-            UnknownWord,
+            OtherQuantity,
             "// inverse",
             "an inverse",
         ),
         (
             "0 0 1 0 # position",
-            UnknownWord,
+            OtherQuantity,
             "# position",
             "a position",
         ),
-        ("0.6 0 0 0.8 # JPL", UnknownWord, "# JPL", "declare JPL"),
+        ("0.6 0 0 0.8 # JPL", OtherQuantity, "# JPL", "declare JPL"),
         (
             "0.6 0 0 0.8 # world to body",
-            UnknownWord,
+            OtherQuantity,
             "# world to body",
             "world to body",
         ),
         (
             "0.6 0 0 0.8 # left-handed",
-            UnknownWord,
+            OtherQuantity,
             "# left-handed",
             "right-handed",
         ),
         (
             "[[0, -1, 0], [1, 0, 0], [0, 0, 1]] # R transposed",
-            UnknownWord,
+            OtherQuantity,
             "# R transposed",
             "a transpose",
         ),

@@ -3,7 +3,7 @@
 use crate::asked::{facts, read};
 use crate::checked::{Refusal, attitude, check_read, check_refusal, check_refused};
 use crate::support::assert_close;
-use quatlas::ProblemCode::{UnknownComponent, UnknownWord};
+use quatlas::ProblemCode::{OtherQuantity, UnknownComponent};
 use quatlas::{ComponentOrder, Convention, Fact, Field, OrderFromText, OrderSource, Outcome};
 use quatlas::{ReadRequest, Request, analyze};
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -13,7 +13,7 @@ fn labelled(labels: &[(&'static str, &str)], numbers: &str) {
     for (label, word) in labels {
         for mark in [" = ", ": "] {
             let text = [label, mark, numbers].concat();
-            check_refusal(Field::Quaternion, &text, UnknownWord, label, word);
+            check_refusal(Field::Quaternion, &text, OtherQuantity, label, word);
         }
     }
 }
@@ -51,47 +51,47 @@ fn what_was_made_of_a_rotation_is_no_rotation() {
         "[[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
     );
     check_refused(&[
-        ("minus: 90° about z", UnknownWord, "minus", "a negative"),
+        ("minus: 90° about z", OtherQuantity, "minus", "a negative"),
         (
             "inverse: rotvec 0 0 0.7",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "an inverse",
         ),
         (
             "negated rpy: 0.1 0.2 0.3",
-            UnknownWord,
+            OtherQuantity,
             "negated",
             "a negative",
         ),
         (
             "eulerRates: 0.1 0.2 0.3",
-            UnknownWord,
+            OtherQuantity,
             "eulerRates",
             "a rate",
         ),
-        ("rotvecDot: 0 0 0.1", UnknownWord, "rotvecDot", "a rate"),
+        ("rotvecDot: 0 0 0.1", OtherQuantity, "rotvecDot", "a rate"),
         (
             "inverse of q = 0.6 0 0 0.8",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "an inverse",
         ),
         (
             r#"{"inverted": {"w": 0.6, "x": 0, "y": 0, "z": 0.8}}"#,
-            UnknownWord,
+            OtherQuantity,
             r#""inverted""#,
             "an inverse",
         ),
         (
             r#"{"a": {"b": {"c": {"q_conj": [0.6, 0, 0, 0.8]}}}}"#,
-            UnknownWord,
+            OtherQuantity,
             r#""q_conj""#,
             "a conjugate",
         ),
         (
             "q_inv = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()))",
-            UnknownWord,
+            OtherQuantity,
             "q_inv",
             "an inverse",
         ),
@@ -118,73 +118,73 @@ fn what_was_made_of_a_rotation_is_no_rotation() {
 #[wasm_bindgen_test(unsupported = test)]
 fn another_quantity_is_no_rotation() {
     const OTHERS: &[Refusal] = &[
-        ("rgba: 0.8 0.6 0 0", UnknownWord, "rgba", "a colour"),
-        ("tint = (0, 0.6, 0.8, 0)", UnknownWord, "tint", "a colour"),
+        ("rgba: 0.8 0.6 0 0", OtherQuantity, "rgba", "a colour"),
+        ("tint = (0, 0.6, 0.8, 0)", OtherQuantity, "tint", "a colour"),
         (
             "float4 color = 0 0.6 0.8 0",
-            UnknownWord,
+            OtherQuantity,
             "color",
             "a colour",
         ),
-        ("color.r: 0 0 1 0", UnknownWord, "color.r", "a colour"),
-        ("plane: [0, 0, 1, 0]", UnknownWord, "plane", "a plane"),
-        ("plane normal: 0 0 1 0", UnknownWord, "plane", "a plane"),
+        ("color.r: 0 0 1 0", OtherQuantity, "color.r", "a colour"),
+        ("plane: [0, 0, 1, 0]", OtherQuantity, "plane", "a plane"),
+        ("plane normal: 0 0 1 0", OtherQuantity, "plane", "a plane"),
         (
             "translation = [0, 1, 0, 0]",
-            UnknownWord,
+            OtherQuantity,
             "translation",
             "a position",
         ),
         (
             "cameraPosition: 0 0 1 0",
-            UnknownWord,
+            OtherQuantity,
             "cameraPosition",
             "a position",
         ),
         (
             "point: {x: 0, y: 0, z: 1, w: 0}",
-            UnknownWord,
+            OtherQuantity,
             "point",
             "a position",
         ),
         (
             "position.x=0 position.y=0 position.z=1 position.w=0",
-            UnknownWord,
+            OtherQuantity,
             "position.x",
             "a position",
         ),
-        ("t = 0 0 1 0", UnknownWord, "t", "a translation"),
-        ("acc: 0 0 1 0", UnknownWord, "acc", "an acceleration"),
-        ("gyro: 0 0 0 1", UnknownWord, "gyro", "a velocity"),
+        ("t = 0 0 1 0", OtherQuantity, "t", "a translation"),
+        ("acc: 0 0 1 0", OtherQuantity, "acc", "an acceleration"),
+        ("gyro: 0 0 0 1", OtherQuantity, "gyro", "a velocity"),
         (
             "wheelSpeeds: 0.5 0.5 0.5 0.5",
-            UnknownWord,
+            OtherQuantity,
             "wheelSpeeds",
             "wheels",
         ),
         (
             "motor_pwm: 0.5 0.5 0.5 0.5",
-            UnknownWord,
+            OtherQuantity,
             "motor_pwm",
             "motors",
         ),
         (
             "joint_positions: 0 0 1 0",
-            UnknownWord,
+            OtherQuantity,
             "joint_positions",
             "joints",
         ),
-        ("scale = 1 0 0 0", UnknownWord, "scale", "a size"),
+        ("scale = 1 0 0 0", OtherQuantity, "scale", "a size"),
         (
             "inertia: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-            UnknownWord,
+            OtherQuantity,
             "inertia",
             "an inertia",
         ),
         // Symmetric, as these are and half a turn is.
         (
             "P = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-            UnknownWord,
+            OtherQuantity,
             "P",
             "a covariance",
         ),
@@ -222,10 +222,10 @@ fn the_order_in_a_label_is_used_and_told() {
         assert!(facts(&report).contains(&told), "{text}");
     }
     check_refused(&[
-        ("zyxw: 0.38 -0.2 0.1 0.92", UnknownWord, "zyxw", "order"),
+        ("zyxw: 0.38 -0.2 0.1 0.92", OtherQuantity, "zyxw", "order"),
         (
             "q_wzyx = 0.92 0.38 -0.2 0.1",
-            UnknownWord,
+            OtherQuantity,
             "q_wzyx",
             "order",
         ),
@@ -272,27 +272,32 @@ fn another_convention_than_the_declared_one_is_asked_about() {
         assert_eq!(is_read(&text, Of::JPL), is_told, "{text}");
     }
     check_refused(&[
-        ("JPL: 0 0 0.6 0.8", UnknownWord, "JPL", "declare JPL"),
+        ("JPL: 0 0 0.6 0.8", OtherQuantity, "JPL", "declare JPL"),
         (
             "world_to_body: 0.6 0 0 0.8",
-            UnknownWord,
+            OtherQuantity,
             "world_to_body",
             "world to body",
         ),
         // Of angles nothing is declared.
         (
             "rotvec world_to_body: 0 0 0.7",
-            UnknownWord,
+            OtherQuantity,
             "rotvec world_to_body",
             "the opposite turn",
         ),
         (
             "leftHanded: 0.6 0 0 0.8",
-            UnknownWord,
+            OtherQuantity,
             "leftHanded",
             "right-handed",
         ),
-        ("q_lhs = 0.6 0 0 0.8", UnknownWord, "q_lhs", "right-handed"),
+        (
+            "q_lhs = 0.6 0 0 0.8",
+            OtherQuantity,
+            "q_lhs",
+            "right-handed",
+        ),
     ]);
 }
 
@@ -340,7 +345,7 @@ fn a_vector_has_labels_too() {
         ("zyx = 3 2 1", "zyx", "order"),
         ("negated: {x: 1, y: 2, z: 3}", "negated", "a negative"),
     ] {
-        check_refusal(Field::Vector, text, UnknownWord, place, word);
+        check_refusal(Field::Vector, text, OtherQuantity, place, word);
     }
     for text in [
         "velocity: 1 2 3",

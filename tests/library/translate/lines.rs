@@ -191,14 +191,14 @@ fn two_numbers_with_a_space_between_are_not_one() {
 /// Also where its own line would be read whatever the spaces.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_text_that_is_too_long_is_nobodys_line() {
-    let text = format!("q = Quaternion(0.5,{} 0.5, 0.5, 0.5)", " ".repeat(70_000));
+    let text = format!("q = Quaternion(0.5,{} 0.5, 0.5, 0.5)", " ".repeat(140_000));
     assert_eq!(
         marked(&text, "drake"),
         (ProblemCode::TextTooLong, text.clone())
     );
     let ends = ["drake", "tf2"].map(Endpoint::library);
     let [from, to] = ends;
-    let axes = format!("{}y x -z", " ".repeat(70_000));
+    let axes = format!("{}y x -z", " ".repeat(140_000));
     let request = TranslateRequest {
         world_axes: axes.clone(),
         ..TranslateRequest::new("1 0 0 0", from, to)

@@ -1,0 +1,52 @@
+//! A text to an attitude: as a rotation by itself, then as a block that holds one.
+
+use crate::analyze::attitude::{Attitude, Declared, unit_assumed};
+#[cfg(feature = "whole")]
+use crate::analyze::record::of_record;
+use crate::convention::angle::AngleUnit;
+use crate::problem::fault::Fault;
+#[cfg(feature = "whole")]
+use crate::problem::is_too_long;
+use crate::problem::{Field, Problem, Wanted};
+use crate::text::mend::unit;
+use crate::text::mend::with_suggestion;
+
+impl Attitude {
+    /// The attitude that a text holds, or its first problem with what to write instead.
+    pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        let attitude = Self::read(text, declared).map_err(|fault| {
+            let read = |candidate: &str| Self::plain(candidate, declared).map(drop);
+            with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
+        })?;
+        let attitude = attitude.with_meanings(text);
+        if attitude.unit.is_some() {
+            return Ok(attitude);
+        }
+        let is_read = |text: &str| Self::plain(text, declared).is_ok();
+        let texts = unit::inside_functions(text, &is_read);
+        Ok(Self {
+            unit: texts.map(|texts| unit_assumed(AngleUnit::Radians, texts)),
+            ..attitude
+        })
+    }
+
+    fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
+        let plain = Self::plain(text, declared);
+        #[cfg(feature = "whole")]
+        if may_be_block(text, &plain)
+            && let Some(found) = of_record(text, declared, &plain)
+        {
+            return found;
+        }
+        plain
+    }
+}
+
+/// Whether a text may hold more than the rotation that it is read as, or one that it is not read as.
+#[cfg(feature = "whole")]
+fn may_be_block(text: &str, plain: &Result<Attitude, Fault>) -> bool {
+    match plain {
+        Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
+        Err(_) => !is_too_long(text) && !text.trim().is_empty(),
+    }
+}

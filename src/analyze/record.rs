@@ -162,8 +162,9 @@ fn beside_plain(
         .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
     // What a format prints has its own meaning, whatever the numbers alone are read as.
     let of_format = || {
+        let has_own_order = matches!(plain.form, Form::Quaternion | Form::Matrix(_));
         read.iter()
-            .position(|(found, _)| is_of_format(found, declared))
+            .position(|(found, _)| !has_own_order && is_of_format(found, declared))
     };
     let (found, attitude) = read.swap_remove(same.or_else(of_format)?);
     let attitude = if same.is_some() {

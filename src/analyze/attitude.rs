@@ -91,7 +91,15 @@ impl Attitude {
         if is_record(text, &plain)
             && let Some(found) = of_record(text, declared, plain.as_ref().ok())
         {
-            return found;
+            return match (found, plain) {
+                // What names the word knows its place better.
+                (Err(found), Err(plain))
+                    if found.code == plain.code && plain.code == ProblemCode::UnknownWord =>
+                {
+                    Err(plain)
+                }
+                (found, _) => found,
+            };
         }
         plain
     }

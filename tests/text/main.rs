@@ -17,6 +17,7 @@ mod checked;
 mod attitudes;
 mod axis_vectors;
 mod calls;
+mod cases;
 mod composing;
 mod euler_angles;
 mod function_units;

@@ -416,9 +416,13 @@ pub(crate) const ENGINES: &[Format] = &[
         name: "OpenSCAD",
         marks: &["multmatrix|cube|cylinder|translate|rotate"],
         order: None,
-        fields: &[Field::Under(
-            "rotate",
-            &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
-        )],
+        fields: &[
+            Field::Under(
+                "rotate",
+                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
+            ),
+            Field::Under("multmatrix", &[Part::HomogeneousRows(16)]),
+            Field::Under("multmatrix", &[Part::HomogeneousRows(12)]),
+        ],
     },
 ];

@@ -5,7 +5,7 @@ use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::text::record::format::{Field, Format};
 use crate::text::record::meaning::Meaning;
-use crate::text::record::names::{identifiers_of, words_of};
+use crate::text::record::names::{identifiers_of, is_holder, words_of};
 use crate::text::record::parts::{Made, Said};
 use crate::text::record::rows::{BY_COLUMNS, BY_ROWS};
 
@@ -77,13 +77,10 @@ pub(crate) fn label_of(path: &[&str]) -> String {
 
 /// The innermost name that says more than that it holds numbers.
 pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
-    const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
-                           np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
-    path.iter().rev().copied().find(|key| {
-        let mut words = identifiers_of(key);
-        !key.is_empty()
-            && !words.all(|word| HOLDERS.split_whitespace().any(|holder| holder == word))
-    })
+    path.iter()
+        .rev()
+        .copied()
+        .find(|key| !key.is_empty() && !is_holder(key))
 }
 
 /// Whether one of these names stands next over numbers; a letter alone only as it is.

@@ -20,6 +20,7 @@ mod calls;
 mod cases;
 mod composing;
 mod euler_angles;
+mod formats;
 mod function_units;
 #[cfg(not(target_arch = "wasm32"))]
 mod huge;

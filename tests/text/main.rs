@@ -17,9 +17,11 @@ mod checked;
 mod attitudes;
 mod axis_vectors;
 mod calls;
+mod cases;
 mod comments;
 mod composing;
 mod euler_angles;
+mod formats;
 mod function_units;
 #[cfg(not(target_arch = "wasm32"))]
 mod huge;

@@ -1,4 +1,4 @@
-//! Game engines, scenes and modelling programs.
+//! Game engines, and libraries of graphics.
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
@@ -15,7 +15,8 @@ pub(crate) const ROTATOR: Part = Part::Euler(
 const Y_X_Z: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Radians)).by_axis());
 
 /// The same in degrees.
-const Y_X_Z_DEGREES: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Degrees)).by_axis());
+pub(crate) const Y_X_Z_DEGREES: Part =
+    Part::Euler(Angles::new("YXZ", Unit::Always(Degrees)).by_axis());
 
 pub(crate) const ENGINES: &[Format] = &[
     // `P=39.25 Y=-94.09 R=-102.15` (Unreal, FRotator::ToString), `Rotation(pitch=…, yaw=…, roll=…)` (CARLA).
@@ -39,14 +40,6 @@ pub(crate) const ENGINES: &[Format] = &[
             Field::Groups(&[&[Part::Position], &[ROTATOR], &[Part::Scale]]),
         ],
     },
-    // Twelve numbers, the x axis first and the translation last (3MF, transform).
-    Format {
-        id: "3mf",
-        name: "3MF",
-        marks: &["<item|<component", "transform"],
-        order: None,
-        fields: &[Field::Under("transform", &[Part::HomogeneousColumns(12)])],
-    },
     // The basis row by row, then the origin (Godot, text of a scene).
     Format {
         id: "godot",
@@ -58,28 +51,6 @@ pub(crate) const ENGINES: &[Format] = &[
             Field::Under("Basis", &[Part::Rows]),
         ],
     },
-    // Sixteen numbers column by column, four x y z w (glTF 2.0, nodes).
-    Format {
-        id: "gltf-node-rotation",
-        name: "glTF",
-        marks: &["node|nodes|mesh|children|name|skin", "matrix|rotation"],
-        order: Some(ScalarLast),
-        fields: &[Field::Under("matrix", &[Part::HomogeneousColumns(16)])],
-    },
-    // For row vectors: the rows as printed are the columns of the rotation (OpenUSD, GfMatrix4d).
-    Format {
-        id: "usd",
-        name: "USD",
-        marks: &["matrix4d|xformop|quatf|quatd|quath"],
-        order: Some(ScalarFirst),
-        fields: &[
-            Field::Under("matrix4d|transform", &[Part::HomogeneousColumns(16)]),
-            Field::Under(
-                "rotateXYZ",
-                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
-            ),
-        ],
-    },
     // Column by column (GLM, `to_string`).
     Format {
         id: "glm",
@@ -89,55 +60,6 @@ pub(crate) const ENGINES: &[Format] = &[
         fields: &[
             Field::Under("mat3x3|dmat3x3|mat3", &[Part::Columns]),
             Field::Under("mat4x4|dmat4x4|mat4", &[Part::HomogeneousColumns(16)]),
-        ],
-    },
-    // Position first, then nine numbers row by row (Roblox, CFrame.new).
-    Format {
-        id: "roblox-cframe",
-        name: "Roblox CFrame",
-        marks: &["cframe"],
-        order: Some(ScalarLast),
-        fields: &[Field::Under("cframe", &[Part::Position, Part::Rows])],
-    },
-    // `axis angle`, radians (VRML, X3D, Webots: SFRotation).
-    Format {
-        id: "x3d-vrml-rotation",
-        name: "X3D",
-        marks: &[
-            "rotation",
-            "transform|def|translation|shape|solid|children|robot|vrml|rotation",
-        ],
-        order: None,
-        fields: &[Field::Under(
-            "rotation",
-            &[Part::UnitAxisAngle(Unit::Usually(Radians))],
-        )],
-    },
-    // `<Viewpoint position="…" orientation="0 0 1 0.5"/>` (X3D).
-    Format {
-        id: "x3d-vrml-rotation",
-        name: "X3D",
-        marks: &["viewpoint", "orientation"],
-        order: None,
-        fields: &[Field::Under(
-            "orientation",
-            &[Part::AxisAngle(Unit::Always(Radians))],
-        )],
-    },
-    // Four numbers by name: x y z w; the axis and the angle in radians beside them (FreeCAD, Placement).
-    Format {
-        id: "freecad-placement",
-        name: "FreeCAD",
-        marks: &["propertyplacement|placement"],
-        order: Some(ScalarLast),
-        fields: &[
-            Field::Named("q3 q0 q1 q2", &[Part::Quaternion(Some(ScalarFirst))]),
-            Field::Named("a ox oy oz", &[Part::AngleAxis(Unit::Always(Radians))]),
-            Field::Named("px py pz", &[Part::Position]),
-            Field::Under(
-                "Yaw-Pitch-Roll",
-                &[Part::Euler(Angles::new("ZYX", Unit::Always(Degrees)))],
-            ),
         ],
     },
     // `Euler {_x: 0.1, _y: 0.2, _z: 0.3, _order: 'XYZ'}`: moving axes, radians (three.js).
@@ -352,40 +274,6 @@ pub(crate) const ENGINES: &[Format] = &[
             &[Part::Quaternion(Some(ScalarFirst))],
         )],
     },
-    // `setAttr ".r" -type "double3" 10 20 30`: degrees about fixed x, y, z (Maya ASCII).
-    Format {
-        id: "maya",
-        name: "Maya",
-        marks: &["setattr|createnode"],
-        order: None,
-        fields: &[
-            Field::Under(
-                "r|rotate",
-                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
-            ),
-            Field::Under("t|translate", &[Part::Position]),
-            Field::Under("s|scale", &[Part::Scale]),
-        ],
-    },
-    // `<a-entity rotation="10 20 30">`: Ry Rx Rz, degrees (A-Frame).
-    Format {
-        id: "aframe",
-        name: "A-Frame",
-        marks: &["~<a-"],
-        order: None,
-        fields: &[Field::Under("rotation", &[Y_X_Z_DEGREES])],
-    },
-    // `<rotate sid="rotationZ">0 0 1 25</rotate>`: an axis and degrees (COLLADA).
-    Format {
-        id: "collada",
-        name: "COLLADA",
-        marks: &["<rotate", "sid"],
-        order: None,
-        fields: &[Field::Under(
-            "rotate",
-            &[Part::AxisAngle(Unit::Always(Degrees))],
-        )],
-    },
     // `Quaternion { coords: Matrix { data: [x, y, z, w] } }` (nalgebra, Debug).
     Format {
         id: "nalgebra",
@@ -409,16 +297,5 @@ pub(crate) const ENGINES: &[Format] = &[
         marks: &["xrposef|xrquaternionf"],
         order: Some(ScalarLast),
         fields: &[],
-    },
-    // `rotate([x, y, z])` in degrees about fixed x, y, z (OpenSCAD).
-    Format {
-        id: "openscad",
-        name: "OpenSCAD",
-        marks: &["multmatrix|cube|cylinder|translate|rotate"],
-        order: None,
-        fields: &[Field::Under(
-            "rotate",
-            &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
-        )],
     },
 ];

@@ -11,6 +11,7 @@ mod files;
 mod plain;
 mod robots;
 mod ros;
+mod scenes;
 mod space;
 
 use crate::text::record::format::Format;
@@ -22,6 +23,7 @@ pub(crate) const FORMATS: &[&[Format]] = &[
     ros::ROS,
     robots::ROBOTS,
     cameras::CAMERAS,
+    scenes::SCENES,
     engines::ENGINES,
     autopilots::AUTOPILOTS,
     devices::DEVICES,

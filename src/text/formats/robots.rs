@@ -22,7 +22,7 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "kuka-abc",
         name: "KUKA",
-        marks: &["e6pos|kuka|krl|pos act|frame|base data|tool data|e6axis"],
+        marks: &["e6pos|kuka|krl|pos act|~FRAME|base data|tool data|e6axis"],
         order: None,
         fields: &[Field::Named("a b c", &[ZYX])],
     },

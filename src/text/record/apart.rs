@@ -118,7 +118,10 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
     let role = |path: &[&str]| Meaning::of(path).role;
     let group = quantities.groups.iter().find(|group| {
         let is_openscad = || group.path.ends_with(&["rotate", "v"]);
-        group.numbers.len() == 3 && (role(&group.path) == Some(Role::Axis) || is_openscad())
+        let has_unit = Meaning::of(&group.path).unit.is_some();
+        group.numbers.len() == 3
+            && !has_unit
+            && (role(&group.path) == Some(Role::Axis) || is_openscad())
     });
     let named_axis = || {
         quantities.named.iter().find_map(|named| {

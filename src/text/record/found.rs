@@ -5,7 +5,7 @@ use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
 use crate::text::record::format::{Field, Format};
 use crate::text::record::meaning::Meaning;
-use crate::text::record::names::{identifiers_of, words_of};
+use crate::text::record::names::{identifiers_of, is_holder, words_of};
 use crate::text::record::parts::{Made, Said};
 use crate::text::record::rows::{BY_COLUMNS, BY_ROWS};
 
@@ -29,6 +29,9 @@ pub(crate) struct Found {
 /// What a text says for all its quantities.
 pub(crate) struct Context {
     pub(crate) formats: Vec<&'static Format>,
+    /// The format that is marked in the text and has an order of four numbers; that of one which is only
+    /// declared is the declared order.
+    pub(crate) ordering: Option<&'static Format>,
     pub(crate) declared: ComponentOrder,
     /// The order that the text tells once for all.
     pub(crate) order: Option<ComponentOrder>,
@@ -40,18 +43,12 @@ pub(crate) struct Context {
 impl Context {
     /// The order of four numbers whose names say this.
     pub(crate) fn order(&self, meaning: &Meaning) -> (ComponentOrder, OrderSource) {
-        let of_formats = self.ordering().and_then(|format| format.order);
+        let of_formats = self.ordering.and_then(|format| format.order);
         match (meaning.order.or(self.order), of_formats) {
             (Some(order), _) => (order, OrderSource::Label),
             (None, Some(order)) => (order, OrderSource::Format),
             (None, None) => (self.declared, OrderSource::Declared),
         }
-    }
-
-    /// The format that says the order of four numbers.
-    pub(crate) fn ordering(&self) -> Option<&'static Format> {
-        let mut formats = self.formats.iter().copied();
-        formats.find(|format| format.order.is_some())
     }
 
     pub(crate) fn said(&self, meaning: &Meaning) -> Said<'_> {
@@ -77,13 +74,10 @@ pub(crate) fn label_of(path: &[&str]) -> String {
 
 /// The innermost name that says more than that it holds numbers.
 pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
-    const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
-                           np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
-    path.iter().rev().copied().find(|key| {
-        let mut words = identifiers_of(key);
-        !key.is_empty()
-            && !words.all(|word| HOLDERS.split_whitespace().any(|holder| holder == word))
-    })
+    path.iter()
+        .rev()
+        .copied()
+        .find(|key| !key.is_empty() && !is_holder(key))
 }
 
 /// Whether one of these names stands next over numbers; a letter alone only as it is.

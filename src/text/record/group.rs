@@ -2,6 +2,7 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
+use crate::text::record::meaning::may_compute;
 use crate::text::record::named::named;
 use crate::text::record::outline::{Kind, Member};
 use crate::text::record::quantity::{Group, Named, Value, is_named};
@@ -19,7 +20,7 @@ pub(crate) struct Quantities<'t> {
 impl<'t> Quantities<'t> {
     pub(crate) fn of(members: &[Member<'t>]) -> Self {
         let mut found = Self::default();
-        found.collect(members, &[""], Holder::Lines);
+        found.collect(members, &[""], Holder::Lines, Call::None);
         found.groups = with_rows_by_name(with_repeated(found.groups));
         found.groups = with_listed_names(found.groups);
         found.named = named(&found.groups);
@@ -29,7 +30,7 @@ impl<'t> Quantities<'t> {
         found
     }
 
-    fn collect(&mut self, members: &[Member<'t>], path: &[&'t str], holder: Holder) {
+    fn collect(&mut self, members: &[Member<'t>], path: &[&'t str], holder: Holder, call: Call) {
         let scope = self.scopes;
         self.scopes += 1;
         let rows_are_alike = holder == Holder::Lines || are_alike(members);
@@ -55,6 +56,8 @@ impl<'t> Quantities<'t> {
                     self.groups.push(Group {
                         is_line: holder == Holder::Lines,
                         is_computed: run.iter().any(|member| member.is_computed),
+                        is_of_call: call != Call::None,
+                        is_of_unknown_call: call == Call::Unknown,
                         ..group_of(run, within(member.key), scope)
                     });
                     at += run.len();
@@ -69,6 +72,9 @@ impl<'t> Quantities<'t> {
                             span: alike[0].span.to(alike[count - 1].span),
                             scope,
                             is_computed: alike.iter().any(is_computed),
+                            is_of_call: call.with(member) != Call::None,
+                            is_of_unknown_call: call.with(member) == Call::Unknown,
+                            has_lengths: alike.iter().any(has_length),
                             unit: alike.iter().find_map(unit),
                             has_commas: true,
                             is_line: false,
@@ -81,7 +87,8 @@ impl<'t> Quantities<'t> {
                         } else {
                             Holder::Lines
                         };
-                        self.collect(&member.members, &within(member.key), inside);
+                        let call = call.with(member);
+                        self.collect(&member.members, &within(member.key), inside, call);
                         at += 1;
                     }
                 },
@@ -102,6 +109,26 @@ impl<'t> Quantities<'t> {
     }
 }
 
+/// Whether a call holds numbers.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Call {
+    None,
+    Known,
+    Unknown,
+}
+
+impl Call {
+    /// What holds the members of one that this holds.
+    fn with(self, member: &Member<'_>) -> Self {
+        match (self, member.is_call) {
+            (own, false) => own,
+            (Self::Unknown, true) => Self::Unknown,
+            (_, true) if may_compute(member.key) => Self::Unknown,
+            (_, true) => Self::Known,
+        }
+    }
+}
+
 /// Whether lines inside mean anything.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Holder {
@@ -111,6 +138,10 @@ enum Holder {
 
 fn unit(member: &Member<'_>) -> Option<AngleUnit> {
     member.unit.or_else(|| member.members.iter().find_map(unit))
+}
+
+fn has_length(member: &Member<'_>) -> bool {
+    member.has_length || member.members.iter().any(has_length)
 }
 
 fn is_computed(member: &Member<'_>) -> bool {
@@ -152,6 +183,9 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         span: run[0].span.to(run[run.len() - 1].span),
         scope,
         is_computed: false,
+        is_of_call: false,
+        is_of_unknown_call: false,
+        has_lengths: run.iter().any(has_length),
         unit: run.iter().find_map(unit),
         has_commas: run[1..].iter().any(|member| member.follows_comma),
         is_line: false,

@@ -3,8 +3,8 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
-use crate::text::record::names::words_of;
-use crate::text::vocabulary::constructors::{Call, call, order_in_name};
+use crate::text::record::names::{is_holder, words_of};
+use crate::text::vocabulary::constructors::{Call, call, is_matrix, order_in_name};
 use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 
 /// What numbers are by their name.
@@ -25,8 +25,10 @@ pub(crate) enum Role {
     /// The scalar of a quaternion, and its vector.
     Scalar,
     Vector,
-    /// Something that is no rotation: a velocity, a covariance, a colour.
+    /// Something that is no rotation, though it may hold one by its own names: a camera, a joint.
     Other,
+    /// Something that is no rotation whatever its numbers are called: a velocity, a covariance, a colour.
+    Rate,
     /// Something that was made of a rotation: its inverse, its derivative.
     Derived,
 }
@@ -58,7 +60,7 @@ const ROLES: &[(Role, &str)] = &[
     ),
     (
         Role::RotationVector,
-        "rotvec rvec rotationvector rodrigues rvecs axisanglevector",
+        "rotvec rvec rotationvector rvecs axisanglevector",
     ),
     (
         Role::AxisAngle,
@@ -75,14 +77,19 @@ const ROLES: &[(Role, &str)] = &[
     (Role::Vector, "imag v vec vector im imaginary xyzvector"),
     (
         Role::Other,
-        "covariance cov velocity vel linear angular twist acc accel acceleration gyro gyr mag magn magnetic field \
-         intrinsics intrinsic distortion coeffs resolution rows cols mass inertia size extents joint joints config conf \
-         color colour colors rgba rgb plane normal gravity temperature pressure weight weights fov focal camera \
-         uncertainty ± overlaps children mesh bbox box bounds min max status calibration sys version id seq index port \
-         angvel linvel omega rate rates rate0 omegas force torque wrench error residual stdev std sigma variance \
-         lat lon alt latitude longitude altitude hz fps frames frame width height length radius joint1 extax axes_config \
-         k projection essential fundamental homography jacobian hessian skew pid gains percent probability battery \
-         speed speeds wheel wheels shear bias noise limits lower upper effort",
+        "field intrinsics intrinsic resolution rows cols mass size extents joint joints config conf plane \
+         normal temperature pressure weight weights fov focal camera overlaps children mesh vertices vertex points corners normals landmarks keypoints tangent tangents uv polygon bbox box bounds \
+         min max status calibration sys version id seq index port lat lon alt latitude longitude altitude hz \
+         fps frames frame width height length radius joint1 extax axes_config k projection essential \
+         fundamental homography battery",
+    ),
+    (
+        Role::Rate,
+        "covariance cov velocity vel linear angular twist acc accel acceleration gyro gyr mag magn magnetic \
+         distortion coeffs color colour colors rgba rgb gravity uncertainty ± angvel linvel omega rate rates \
+         rate0 omegas force torque wrench residual stdev std sigma variance skew pid gains percent \
+         probability speed speeds wheel wheels shear bias noise limits lower upper effort jacobian hessian \
+         inertia mrp gibbs crp",
     ),
     (
         Role::Derived,
@@ -127,7 +134,7 @@ impl Meaning {
     fn take(&mut self, key: &str) {
         // The words of a declaration say nothing: `VAR pose`, `const quat`.
         let key = [
-            "VAR ", "PERS ", "CONST ", "LOCAL ", "TASK ", "var ", "let ", "const ", "static ",
+            "VAR ", "PERS ", "CONST ", "LOCAL ", "TASK ", "let ", "const ", "static ",
         ]
         .into_iter()
         .find_map(|word| key.strip_prefix(word))
@@ -226,6 +233,14 @@ impl Meaning {
                     .split(|mark: char| !mark.is_alphanumeric())
                     .any(|own| own.to_lowercase() == word)
         };
+        // `omega_q`, `gyro_q`: another quantity in the same name is what it is.
+        let last = key.rsplit([' ', '\t']).next().unwrap_or(key);
+        let is_rate = words_of(last)
+            .iter()
+            .any(|word| word.chars().count() > 1 && role_of_word(word) == Some(Role::Rate));
+        if is_rate {
+            return Some(Role::Rate);
+        }
         two.or_else(|| {
             let own = words.iter().rev().filter(|word| stands_alone(word));
             own.clone().find_map(|word| role_of_word(word))
@@ -243,6 +258,18 @@ fn without_arguments(key: &str) -> &str {
         }
         _ => key,
     }
+}
+
+/// Whether a call may make something else of its numbers: a verb that is not known, as in `flip(…)`.
+pub(crate) fn may_compute(key: &str) -> bool {
+    let name = key.rsplit([' ', '\t', '=']).next().unwrap_or(key);
+    let last = name.rsplit(['.', ':']).next().unwrap_or(name);
+    let role = Meaning::role_in(last);
+    let is_known = !matches!(call(name), Call::Other)
+        || !matches!(role, None | Some(Role::Derived))
+        || is_matrix(last)
+        || is_holder(last);
+    last.starts_with(|first: char| first.is_lowercase()) && !is_known
 }
 
 /// The sequence of Euler angles in a name: `rpy`, `Yaw-Pitch-Roll`, `euler_zyx`, `intrinsic XYZ`.
@@ -304,18 +331,23 @@ fn quoted_sequence(letters: &str) -> Option<EulerSequence> {
 
 /// Axes that move by their primes: `Z-Y'-X''`, `[X,Y',Z'']`.
 fn primed(key: &str) -> Option<EulerSequence> {
-    let primes = ["''", "″", "’’"];
-    let start = key.find(['\'', '′', '’'])?.checked_sub(1)?;
-    let before = key.get(..=start)?.trim_end_matches(['\'', '′', '’']);
-    let letter = |text: &str| text.chars().rev().find(|mark| mark.is_alphabetic());
-    let second = letter(before)?;
-    let first = letter(&before[..before.len() - second.len_utf8()])?;
-    let after = &key[start + 1..];
-    let third = after.chars().find(|mark| mark.is_alphabetic())?;
-    let end = after.find(third)? + third.len_utf8();
-    let is_primed = primes.iter().any(|prime| after[end..].starts_with(prime));
-    let letters: String = [first, second, third].iter().collect();
-    (is_primed || after[end..].is_empty())
-        .then(|| letters.to_uppercase().parse().ok())
-        .flatten()
+    const PRIMES: [char; 4] = ['\'', '′', '’', '″'];
+    // Each axis with the count of its primes.
+    let mut axes: Vec<(char, usize)> = Vec::new();
+    for mark in key.chars() {
+        match axes.last_mut() {
+            Some((_, count)) if PRIMES.contains(&mark) => {
+                *count += if mark == '″' { 2 } else { 1 }
+            }
+            _ if mark.is_alphabetic() => axes.push((mark, 0)),
+            _ => {}
+        }
+    }
+    axes.windows(3).find_map(|axes| match axes {
+        &[(first, 0), (second, 1), (third, 2)] => {
+            let letters: String = [first, second, third].iter().collect();
+            letters.to_uppercase().parse().ok()
+        }
+        _ => None,
+    })
 }

@@ -69,7 +69,7 @@ use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::quantity::Value;
-use crate::text::record::scan::scan;
+use crate::text::record::scan::{Mark, Token, scan};
 use crate::text::record::table::{Sentence, Table};
 use crate::text::vocabulary::constructors::order_in_name;
 use std::collections::BTreeSet;
@@ -182,6 +182,10 @@ pub(crate) fn record_of(
         });
     }
     let context = Context {
+        ordering: formats
+            .iter()
+            .copied()
+            .find(|format| format.order.is_some() && is_marked(format, &words, text)),
         formats,
         declared: declared.order,
         order: settings.order,
@@ -189,7 +193,12 @@ pub(crate) fn record_of(
         letters: settings.letters,
     };
     let all = found(&quantities, &context, plain);
-    let rotations = all.iter().filter_map(rotation).collect();
+    let is_one_line = !text.trim().contains('\n');
+    let is_doubtful = settings.is_doubtful
+        || is_one_line
+            && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
+    let rotations: Vec<RecordRotation> = all.iter().filter_map(rotation).collect();
+    let rotations = if is_doubtful { Vec::new() } else { rotations };
     let beside = all.iter().filter_map(beside).collect();
     Record {
         rotations,
@@ -198,6 +207,28 @@ pub(crate) fn record_of(
         rows,
         head,
     }
+}
+
+/// Whether every bracket is closed.
+fn is_balanced(tokens: &[Token<'_>]) -> bool {
+    let mut open = Vec::new();
+    for token in tokens {
+        match (token.mark, token.text) {
+            (Mark::Open, "(" | "[" | "{") => open.push(token.text),
+            (Mark::Close, close @ (")" | "]" | "}")) => {
+                let opens = match close {
+                    ")" => "(",
+                    "]" => "[",
+                    _ => "{",
+                };
+                if open.pop() != Some(opens) {
+                    return false;
+                }
+            }
+            _ => {}
+        }
+    }
+    open.is_empty()
 }
 
 /// Whether the words by which a format is known stand in a text.
@@ -247,6 +278,8 @@ struct Settings {
     order: Option<ComponentOrder>,
     unit: Option<AngleUnit>,
     letters: Option<String>,
+    /// Whether something was set that is not understood: it may change every number.
+    is_doubtful: bool,
 }
 
 impl Settings {
@@ -264,6 +297,25 @@ impl Settings {
             key.last()
                 .is_some_and(|last| names.contains(&last.as_str()))
         };
+        if key.len() == 1
+            && is(&["handedness", "hand"])
+            && !value.text.to_ascii_lowercase().starts_with("right")
+        {
+            self.is_doubtful = true;
+        }
+        let is_known_order = |text: &str| {
+            let lower = text.to_ascii_lowercase();
+            order_in_name(text).is_some()
+                || text.parse::<EulerSequence>().is_ok()
+                || ["c", "row", "rows", "row-major", "row_major", "rowmajor"]
+                    .contains(&lower.as_str())
+        };
+        if key.len() == 1
+            && is(&["order", "layout", "sequence", "seq"])
+            && !is_known_order(value.text)
+        {
+            self.is_doubtful = true;
+        }
         if is(&["order", "format", "convention", "layout", "components"]) {
             self.order = self.order.or_else(|| order_in_name(value.text));
         }

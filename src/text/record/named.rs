@@ -15,7 +15,7 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
             name,
             value: group.numbers[0],
             span: group.span,
-            is_computed: group.is_computed,
+            is_computed: group.is_computed || group.is_of_unknown_call,
             unit: group.unit,
         };
         let path = &group.path[..group.path.len() - 1];

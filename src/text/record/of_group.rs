@@ -9,7 +9,7 @@ use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
-use crate::text::record::quantity::Group;
+use crate::text::record::quantity::{Group, own_key};
 
 pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
     let meaning = Meaning::of(&group.path);
@@ -46,7 +46,7 @@ pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -
                 }))
             )
         });
-        (made, is_ordered.then(|| context.ordering()).flatten())
+        (made, is_ordered.then(|| context.ordering).flatten())
     });
     made.into_iter()
         .map(|made| Found {
@@ -54,7 +54,7 @@ pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -
             label: label_of(&group.path),
             span: group.span,
             is_derived: meaning.role == Some(Role::Derived),
-            is_computed: group.is_computed,
+            is_computed: group.is_computed || (group.is_of_unknown_call && format.is_none()),
             format,
             has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
         })
@@ -151,16 +151,28 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     let role = meaning.role;
     let parts = |parts: &[Part]| made(parts, numbers, said);
     let none = vec![Made::Nothing];
-    if matches!(role, Some(Role::Other | Role::Time)) {
+    if matches!(role, Some(Role::Other | Role::Rate | Role::Time)) {
+        return none;
+    }
+    // A component is one number, and lengths are no components.
+    let own = own_key(group).to_lowercase();
+    let is_component = ["w", "x", "y", "z"].contains(&own.as_str()) && numbers.len() > 3;
+    if is_component || (group.has_lengths && numbers.len() == 4) {
+        return none;
+    }
+    // `rvecs`, `axes`: several of something else.
+    let is_several = matches!(
+        role,
+        Some(Role::RotationVector | Role::Euler | Role::Axis | Role::Scale | Role::AxisAngle)
+    );
+    if is_several && numbers.len() >= 9 {
         return none;
     }
     let three = <[f64; 3]>::try_from(numbers).ok();
     match (numbers.len(), role) {
         (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
         (3, Some(Role::Scale)) => parts(&[Part::Scale]).unwrap_or(none),
-        (3, Some(Role::Euler | Role::Rotation))
-            if said.sequence.is_some() || said.letters.is_some() =>
-        {
+        (3, Some(Role::Euler | Role::Rotation)) if said.sequence.is_some() => {
             let angles = Angles::new("ZYX", Unit::BySize);
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
@@ -173,11 +185,7 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             })
         }
         (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
-        (
-            4,
-            None
-            | Some(Role::Rotation | Role::Quaternion | Role::Vector | Role::Derived | Role::Matrix),
-        ) => {
+        (4, None | Some(Role::Rotation | Role::Quaternion | Role::Derived | Role::Matrix)) => {
             let rotation = quaternion(numbers, said.order);
             rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
         }
@@ -190,6 +198,8 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             .unwrap_or(none),
         (8, _) => parts(&[Part::Time, Part::Position, Part::Quaternion(None)]).unwrap_or(none),
         (9, _) if meaning.by_columns => parts(&[Part::Columns]).unwrap_or(none),
+        // Which of nine numbers in a row are a row of a matrix is the library's.
+        (9, _) if group.is_of_call && group.rows.len() == 1 => none,
         (9, _) => parts(&[Part::Rows]).unwrap_or(none),
         (12, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(12)]).unwrap_or(none),
         (12, _) => only([

@@ -1,5 +1,6 @@
 //! What single numbers are by their names.
 
+use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::OrderSource;
 use crate::problem::Span;
 use crate::text::record::format::{Field, Part};
@@ -12,6 +13,11 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
     let mut path = named.path.clone();
     path.push(&named.stem);
     let meaning = Meaning::of(&path);
+    // `mrp roll=1 …`, `velocity: {x: …, w: …}`, `XYZ roll=…`: what stands before the names denies them.
+    let is_sequence = |word: &str| word.parse::<EulerSequence>().is_ok();
+    if meaning.role == Some(Role::Rate) || named.stem.split(' ').any(is_sequence) {
+        return Vec::new();
+    }
     let has_scalar = named.members.iter().any(|member| member.name == "w");
     let mut left: Vec<&_> = named.members.iter().collect();
     let mut all = Vec::new();
@@ -90,6 +96,7 @@ fn is_of_vector(meaning: &Meaning) -> bool {
         meaning.role,
         Some(
             Role::Other
+                | Role::Rate
                 | Role::Euler
                 | Role::Rotation
                 | Role::RotationVector

@@ -180,6 +180,10 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRota
 /// The sequence that letters are, by what they say of the axes.
 fn told_sequence(written: &str, letters: Letters) -> Option<EulerSequence> {
     let sequence: EulerSequence = written.parse().ok()?;
+    // Neither three.js nor Blender has a sequence that names an axis twice.
+    if matches!(letters, Letters::AllMove | Letters::AllFixed) && sequence.is_proper() {
+        return None;
+    }
     let frame = match (letters, sequence.frame) {
         (Letters::CapitalsMove, frame) => frame,
         (Letters::AllMove, _) | (Letters::SmallMove, EulerFrame::Extrinsic) => {

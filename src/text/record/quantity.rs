@@ -16,6 +16,12 @@ pub(crate) struct Group<'t> {
     pub(crate) scope: usize,
     /// Whether a sign that computes stands at it or inside.
     pub(crate) is_computed: bool,
+    /// Whether it is what a call is given: the rows of a matrix there are those of the library.
+    pub(crate) is_of_call: bool,
+    /// Whether a call holds it of which is not known what it makes of its numbers.
+    pub(crate) is_of_unknown_call: bool,
+    /// Whether a unit of length stands behind one of the numbers.
+    pub(crate) has_lengths: bool,
     /// The unit that stands behind one of the numbers.
     pub(crate) unit: Option<AngleUnit>,
     /// Whether commas divide the numbers.

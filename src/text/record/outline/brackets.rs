@@ -13,16 +13,45 @@ impl<'t> Builder<'t> {
         };
         let mut member = scope(key, "", token.span, self.row);
         member.is_bracketed = opened == Opened::Bracket;
+        member.is_call =
+            token.text == "(" && !key.is_empty() && self.span_of(key).end == token.span.start;
         member.is_computed = std::mem::take(&mut self.is_computed);
         member.follows_bar = std::mem::take(&mut self.follows_bar);
-        self.open.push(Open { opened, member });
+        let count = self.count_before(token.span.start);
+        self.open.push(Open {
+            opened,
+            member,
+            count,
+        });
+    }
+
+    /// The number in brackets under a name that stands before a list; of a name in quotes it is no count.
+    fn count_before(&mut self, start: usize) -> Option<f64> {
+        let text = self.text;
+        let last = self.inside().members.last()?;
+        let [only] = &last.members[..] else {
+            return None;
+        };
+        let Kind::Number(count) = only.kind else {
+            return None;
+        };
+        let between = text.get(only.span.end..start)?;
+        let is_before = last.is_bracketed
+            && !last.key.is_empty()
+            && only.key.is_empty()
+            && between.trim_start_matches([' ', ')']).is_empty()
+            && between.starts_with(')');
+        is_before.then_some(if last.is_call { count } else { f64::NAN })
     }
 
     pub(crate) fn close(&mut self) {
         self.flush();
         if self.open.len() > 1
-            && let Some(Open { mut member, .. }) = self.open.pop()
+            && let Some(Open {
+                mut member, count, ..
+            }) = self.open.pop()
         {
+            member.is_computed |= count.is_some_and(|count| count != member.members.len() as f64);
             // Haskell: `V3 (-0.7) 0.5 0.1`.
             if member.is_bracketed
                 && (member.key.is_empty() || self.text[..member.span.start].ends_with(' '))

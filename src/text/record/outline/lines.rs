@@ -24,6 +24,7 @@ impl<'t> Builder<'t> {
             self.open.push(Open {
                 opened: Opened::Typed,
                 member,
+                count: None,
             });
             return;
         }
@@ -48,6 +49,7 @@ impl<'t> Builder<'t> {
                     takes_same,
                 },
                 member,
+                count: None,
             });
             if takes_same && is_heading && indent <= own {
                 self.close();

@@ -28,17 +28,21 @@ pub(crate) struct Member<'t> {
     pub(crate) span: Span,
     /// The number of its row: lines and semicolons divide them.
     pub(crate) row: u32,
-    pub(crate) members: Vec<Member<'t>>,
+    pub(crate) members: Vec<Self>,
     /// Whether a sign that computes stands beside it.
     pub(crate) is_computed: bool,
     /// Whether a bar or a line of dashes stands before it.
     pub(crate) follows_bar: bool,
     /// The unit that stands behind a number.
     pub(crate) unit: Option<AngleUnit>,
+    /// Whether a unit of length stands behind it.
+    pub(crate) has_length: bool,
     /// Whether a comma stands before it.
     pub(crate) follows_comma: bool,
     /// Whether brackets or quotes hold it: its lines are of no meaning then.
     pub(crate) is_bracketed: bool,
+    /// Whether its name touches its bracket: `name(…)`.
+    pub(crate) is_call: bool,
 }
 
 /// What opened a scope.
@@ -60,6 +64,8 @@ enum Opened {
 struct Open<'t> {
     opened: Opened,
     member: Member<'t>,
+    /// A number in brackets before it, `Float64Array(4) […]`: its count, or a factor, or an index.
+    count: Option<f64>,
 }
 
 /// The words since the last thing.
@@ -90,6 +96,7 @@ pub(crate) fn outline<'t>(text: &'t str, tokens: &[Token<'t>]) -> Vec<Member<'t>
         open: vec![Open {
             opened: Opened::Text,
             member: scope("", text, Span::from(0..text.len()), 0),
+            count: None,
         }],
         pending: Pending::default(),
         row: 0,
@@ -120,6 +127,8 @@ fn scope<'t>(key: &'t str, text: &'t str, span: Span, row: u32) -> Member<'t> {
         is_computed: false,
         follows_bar: false,
         is_bracketed: false,
+        has_length: false,
+        is_call: false,
         unit: None,
         follows_comma: false,
     }
@@ -251,6 +260,7 @@ impl<'t> Builder<'t> {
         };
         member.kind = Kind::Number(value * factor);
         member.unit = unit;
+        member.has_length = unit.is_none();
         true
     }
 

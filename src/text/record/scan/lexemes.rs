@@ -111,12 +111,17 @@ pub(crate) fn time(text: &str) -> Option<usize> {
         && parts.iter().all(|part| digits(part) && part.len() <= 4)
         && parts.iter().any(|part| part.len() == 4)
         && (parts.len() == 3 || written.contains('T'));
+    // The day of a log without its year: `03-14 09:26:53`.
+    let after = text[length..].trim_start_matches(' ');
+    let is_day = parts.len() == 2
+        && parts.iter().all(|part| digits(part) && part.len() == 2)
+        && after.get(2..3) == Some(":");
     let clock: Vec<&str> = written.split(':').collect();
     let is_clock = clock.len() >= 2
         && digits(clock[0])
         && clock[1].get(..2).is_some_and(digits)
         && clock[0].len() <= 2;
-    (is_date || is_clock).then_some(length)
+    (is_date || is_day || is_clock).then_some(length)
 }
 
 /// Units that may touch a number.

@@ -11,6 +11,7 @@ mod word;
 
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{index, is_checksum, name, prompt, row_label};
+use crate::text::vocabulary::labels::{LabelWord, meanings_of};
 
 /// What a piece of a text is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -221,6 +222,11 @@ impl<'t> Scanner<'t> {
                 let tag = rest.find(char::is_whitespace).unwrap_or(rest.len());
                 self.at += tag;
             }
+            // The colours of a terminal: `ESC[0;34m`.
+            '\u{1b}' => {
+                let end = rest.find(|mark: char| mark.is_alphabetic());
+                self.at += end.map_or(1, |end| end + 1);
+            }
             '*' if is_checksum(rest) => self.at += 3,
             // The type of a value of Maya: `setAttr ".r" -type "double3" 1 2 3`.
             '-' if rest.starts_with("-type \"double3\"") => self.at += "-type \"double3\"".len(),
@@ -277,8 +283,40 @@ impl<'t> Scanner<'t> {
             {
                 self.push(Mark::Operator, 1);
             }
+            // A line that is drawn may be a minus.
+            '─' | '━' | '—' | '‒' | '―' if second.is_ascii_digit() || second == '.' => {
+                self.push(Mark::Operator, first.len_utf8());
+            }
             '…' => self.push(Mark::Operator, first.len_utf8()),
             '°' | 'º' | '˚' => self.push(Mark::Word, first.len_utf8()),
+            // Numbers were left out.
+            '.' if rest.starts_with("..")
+                && matches!(
+                    self.tokens.last().map(|last| last.mark),
+                    Some(Mark::Number(_) | Mark::Comma)
+                ) =>
+            {
+                self.push(Mark::Operator, 2);
+            }
+            // What is done with a list: `[…].T`, `(…).inv()`.
+            '.' if self.touching() == Some(Mark::Close) => {
+                let length = 1 + name(&rest[1..]);
+                if &rest[..length] == ".T"
+                    || meanings_of(&rest[..length])
+                        .iter()
+                        .any(|word| matches!(word, LabelWord::Derived(_)))
+                {
+                    self.push(Mark::Operator, length);
+                } else {
+                    self.at += 1;
+                }
+            }
+            // A mark that touches a number may change it.
+            '~' | '%' | '?' | '!' | '&'
+                if second.is_ascii_digit() || matches!(self.touching(), Some(Mark::Number(_))) =>
+            {
+                self.push(Mark::Operator, 1);
+            }
             _ if first.is_alphabetic() || first == '_' => self.word(),
             _ => self.at += first.len_utf8(),
         }

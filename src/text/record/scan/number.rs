@@ -20,6 +20,15 @@ impl<'t> Scanner<'t> {
             return;
         }
         let next = after.chars().next().unwrap_or(' ');
+        // Dashes before a number may be signs, or a mark of something.
+        let dashes = rest.len() - rest.trim_start_matches('-').len();
+        let number = rest[dashes..].trim_start_matches(' ');
+        let is_digit =
+            |text: &str| text.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+        if dashes > 2 && is_digit(number) || dashes == 2 && is_digit(&rest[dashes..]) {
+            self.push(Mark::Operator, dashes);
+            return;
+        }
         let flag = rest.trim_start_matches('-');
         if flag.starts_with(|first: char| first.is_alphabetic())
             && !matches!(
@@ -37,6 +46,22 @@ impl<'t> Scanner<'t> {
             return;
         }
         let is_number = next.is_ascii_digit() || next == '.';
+        // A sign apart from its number, or two of them, may be anything.
+        let is_apart = next == ' '
+            && is_digit(after.trim_start())
+            && matches!(
+                self.tokens.last().map(|last| last.mark),
+                Some(Mark::Label | Mark::Comma | Mark::Open)
+            );
+        let is_double = after.starts_with(['+', '-', '−']) && {
+            let mut marks = after.chars();
+            marks.next();
+            is_digit(marks.as_str())
+        };
+        if is_apart || is_double {
+            self.push(Mark::Operator, length);
+            return;
+        }
         match self.touching() {
             // `0.5-0.5` ran together, or is a difference; behind a name it is a part of it.
             Some(Mark::Number(_) | Mark::Close) => self.push(Mark::Operator, length),

@@ -131,6 +131,8 @@ impl<'t> Scanner<'t> {
             self.push(Mark::TagOpen, 1 + length);
         } else if rest.starts_with("<<") {
             self.push(Mark::Label, 2);
+        } else if rest[1..].trim_start_matches(' ').starts_with('<') {
+            self.push(Mark::Operator, 1);
         } else {
             self.at += 1;
         }

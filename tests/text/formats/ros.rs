@@ -1,0 +1,156 @@
+//! ROS and what belongs to it.
+
+use crate::formats::{Printed, check};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const PRINTED: &[Printed] = &[
+    Printed {
+        format: Some("static_transform_publisher"),
+        library: None,
+        text: "rosrun tf static_transform_publisher -1.854 2.817 -2.638 -0.734994 -1.146706 0.173511 base_link laser 50",
+        rotation: [
+            0.797932152383,
+            -0.126229028596,
+            -0.530480573214,
+            -0.256828491363,
+        ],
+        position: Some([-1.854, 2.817, -2.638]),
+    },
+    Printed {
+        format: Some("static_transform_publisher"),
+        library: None,
+        text: "ros2 run tf2_ros static_transform_publisher -2.856 1.298 0.810 -0.692759 -0.498469 -0.330468 0.402993 map odom",
+        rotation: [
+            0.402993235123,
+            -0.692759404185,
+            -0.498469290828,
+            -0.330468192809,
+        ],
+        position: Some([-2.856, 1.298, 0.81]),
+    },
+    Printed {
+        format: Some("URDF"),
+        library: None,
+        text: r#"<origin xyz="2.555 -1.833 -0.994" rpy="0.836311 0.450842 2.751014"/>"#,
+        rotation: [
+            0.261883827217,
+            -0.123570281047,
+            0.427914741319,
+            0.856175344685,
+        ],
+        position: Some([2.555, -1.833, -0.994]),
+    },
+    Printed {
+        format: Some("SDFormat"),
+        library: None,
+        text: "<pose>1.554 -2.404 2.622 -0.821365 -0.634808 0.632206</pose>",
+        rotation: [
+            0.866628222171,
+            -0.271546585295,
+            -0.389880962103,
+            0.152350949919,
+        ],
+        position: Some([1.554, -2.404, 2.622]),
+    },
+    Printed {
+        format: Some("SDFormat"),
+        library: None,
+        text: "<pose rotation_format='quat_xyzw'>2.536 2.007 1.811 -0.279616 -0.849353 -0.384936 0.228557</pose>",
+        rotation: [
+            0.228557039722,
+            -0.279616048596,
+            -0.849353147613,
+            -0.3849360669,
+        ],
+        position: Some([2.536, 2.007, 1.811]),
+    },
+    Printed {
+        format: Some("g2o"),
+        library: None,
+        text: "VERTEX_SE3:QUAT 7 0.806 0.896 0.738 0.128887 -0.866284 0.384722 -0.291427",
+        rotation: [
+            -0.291426921163,
+            0.128886965134,
+            -0.866283765654,
+            0.384721895925,
+        ],
+        position: Some([0.806, 0.896, 0.738]),
+    },
+    Printed {
+        format: Some("MuJoCo"),
+        library: None,
+        text: r#"<body name="arm" pos="1.629 -0.980 1.342" quat="0.700668 0.436889 0.490022 0.279412"/>"#,
+        rotation: [
+            0.700667905139,
+            0.436888940851,
+            0.490021933658,
+            0.279411962171,
+        ],
+        position: Some([1.629, -0.98, 1.342]),
+    },
+    Printed {
+        format: Some("MuJoCo"),
+        library: None,
+        text: r#"<body name="arm" pos="2.445 -0.047 1.698" euler="113.3835 -38.2814 179.7538"/>"#,
+        rotation: [
+            0.275140141563,
+            -0.178361323125,
+            -0.789911124283,
+            0.518194516227,
+        ],
+        position: Some([2.445, -0.047, 1.698]),
+    },
+    Printed {
+        format: Some("MuJoCo"),
+        library: None,
+        text: r#"<camera name="top" pos="1.148 -1.408 2.951" xyaxes="-0.391973 -0.837627 -0.380445 0.265136 0.293138 -0.918571"/>"#,
+        rotation: [
+            0.502082511173,
+            -0.227874249789,
+            0.628077923368,
+            -0.549094345659,
+        ],
+        position: Some([1.148, -1.408, 2.951]),
+    },
+    Printed {
+        format: Some("MuJoCo"),
+        library: None,
+        text: r#"<geom axisangle="-0.699268 0.452337 -0.553548 149.827169"/>"#,
+        rotation: [
+            0.260275593311,
+            -0.675167324934,
+            0.436746944317,
+            -0.534469648808,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("tf.transformations"),
+        library: None,
+        text: ">>> tf.transformations.euler_from_quaternion(q)\n(2.11879092, 0.57113130, -1.42474273)",
+        rotation: [
+            0.194814188244,
+            0.723371240859,
+            -0.442583555478,
+            -0.492850156109,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("PyBullet"),
+        library: None,
+        text: ">>> p.getEulerFromQuaternion(q)\n(0.72555862, -0.76687779, -0.91156345)",
+        rotation: [
+            0.836953152016,
+            0.14155548062,
+            -0.458917734895,
+            -0.262423283714,
+        ],
+        position: None,
+    },
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn prints_of_ros_are_read() {
+    check(PRINTED);
+}

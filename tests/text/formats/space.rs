@@ -1,0 +1,60 @@
+//! Spacecraft.
+
+use crate::formats::{Printed, check};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+const PRINTED: &[Printed] = &[
+    Printed {
+        format: Some("ORBEX"),
+        library: None,
+        text: " ATT G07              4  0.164181 0.312510 0.545420 -0.760197",
+        rotation: [
+            0.16418097077,
+            0.312509944362,
+            0.545419902896,
+            -0.760196864658,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("STK attitude"),
+        library: None,
+        text: "BEGIN Attitude\nAttitudeTimeQuaternions\n60.000 -0.237384 -0.317661 0.897647 -0.192276\nEND Attitude",
+        rotation: [
+            -0.192276012386,
+            -0.237384015292,
+            -0.317661020463,
+            0.897647057826,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("STK attitude"),
+        library: None,
+        text: "BEGIN Attitude\nAttitudeTimeQuatScalarFirst\n60.000 -0.124053 -0.867291 -0.216618 -0.430689\nEND Attitude",
+        rotation: [
+            -0.124053049737,
+            -0.867291347725,
+            -0.216618086849,
+            -0.430689172677,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("STK attitude"),
+        library: None,
+        text: "AttitudeTimeQuatAngVels\n60.000 0.413164 0.219611 -0.757849 0.454677 0.1 0.2 0.3",
+        rotation: [
+            0.4546770538,
+            0.413164048888,
+            0.219611025986,
+            -0.757849089674,
+        ],
+        position: None,
+    },
+];
+
+#[wasm_bindgen_test(unsupported = test)]
+fn attitudes_of_spacecraft_are_read() {
+    check(PRINTED);
+}

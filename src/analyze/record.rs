@@ -49,11 +49,17 @@ fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
     let has_words = text.contains(char::is_alphabetic);
     let is_one_line = !text.trim().contains('\n');
     let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
+    let is_of_format =
+        |found: &RecordRotation| found.format.is_some_and(|format| !format.marks.is_empty());
+    let holds_more = record.quantities > 1
+        || record.rotations.len() + record.beside.len() > 1
+        || !record.rows.is_empty()
+        || record.rotations.iter().any(is_of_format);
     match fault.code {
         ProblemCode::WrongCount => true,
         // A bracket that is missing where nothing but the numbers stands.
         ProblemCode::UnclosedBracket | ProblemCode::UnmatchedBracket
-            if is_one_line && record.quantities == 1 =>
+            if is_one_line && !holds_more =>
         {
             is_arrow
         }
@@ -64,13 +70,13 @@ fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
         | ProblemCode::UnexpectedEnd
         | ProblemCode::UnclosedBracket
         | ProblemCode::UnmatchedBracket
-        | ProblemCode::EmptyText => has_words || record.quantities > 1,
+        | ProblemCode::EmptyText => has_words || holds_more,
         ProblemCode::MixedNames
         | ProblemCode::MissingComponent
         | ProblemCode::DuplicateComponent
         | ProblemCode::UnknownSequence
         | ProblemCode::NotANumber
-        | ProblemCode::Infinite => record.quantities > 1,
+        | ProblemCode::Infinite => holds_more,
         _ => false,
     }
 }

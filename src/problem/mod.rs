@@ -184,9 +184,9 @@ pub enum ProblemCode {
     ProductOfUnits,
     /// A scalar part where a vector is meant.
     ScalarInVector,
-    /// A zero quaternion, or one that is zero but for rounding, which is no rotation.
+    /// A zero quaternion, which is no rotation.
     ZeroQuaternion,
-    /// Numbers of a norm that no quaternion of a rotation has.
+    /// Numbers of a norm that no quaternion of a rotation has: zero but for rounding, or hundreds.
     FarFromUnit,
     /// A matrix with a negative determinant.
     Reflection,

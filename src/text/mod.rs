@@ -97,6 +97,13 @@
 //!
 //! Names, units, groups and known constructors tell it; then the text wins over the declared order,
 //! and [`ParsedQuaternion::order_source`] says so. Otherwise the declared order is used.
+//!
+//! # Whether four numbers are a quaternion
+//!
+//! The word quaternion tells it, a label such as `q` or `quat`, a constructor, the units i, j and k, or names
+//! such as `qw`; so do the names w, x, y and z under `orientation`. [`ParsedQuaternion::is_announced`] is
+//! true then. Where nothing does, four numbers are read as one, and of a norm outside 0.9 to 1.1
+//! [`analyze`](fn@crate::analyze) asks what else they may be.
 
 // Members to a description of a rotation.
 pub(crate) mod description;

@@ -162,19 +162,22 @@ test("zeros that were rounded and millimetres are refused, with the norm", async
 test("on a phone and in the dark the question and its buttons have room", async ({ page }) => {
   await page.setViewportSize({ width: 360, height: 740 });
   await page.emulateMedia({ colorScheme: "dark" });
-  await page.goto("/#read?quaternion=-50+0.6+0.64+0.48");
-  await expect(stops(page).getByRole("button")).toHaveCount(3);
-  expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
-  const boxes = await stops(page)
-    .getByRole("button")
-    .evaluateAll((found) => found.map((button) => button.getBoundingClientRect().toJSON()));
-  for (const { height, right } of boxes) {
-    expect(height).toBeGreaterThanOrEqual(24);
-    expect(right).toBeLessThanOrEqual(360);
+  for (const [text, buttons, count] of [
+    ["-50 0.6 0.64 0.48", stops(page).getByRole("button"), 3],
+    ["[0, 0, 1] 0.7", page.locator(".problem-help .fix"), 2],
+  ] as const) {
+    await page.goto(`/#read?quaternion=${encodeURIComponent(text)}`);
+    await expect(buttons).toHaveCount(count);
+    expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
+    const boxes = await buttons.evaluateAll((found) =>
+      found.map((button) => button.getBoundingClientRect().toJSON()),
+    );
+    for (const [at, { top, left, right, height }] of boxes.entries()) {
+      expect(height).toBeGreaterThanOrEqual(24);
+      expect(right).toBeLessThanOrEqual(360);
+      const before = boxes[at - 1];
+      expect(!before || top >= before.bottom || left >= before.right, `${text} ${at}`).toBe(true);
+    }
+    expect(await violationsOf(page)).toEqual([]);
   }
-  for (const [one, next] of boxes.slice(1).map((box, at) => [boxes[at], box])) {
-    const isApart = next.top >= one.bottom || next.left >= one.right;
-    expect(isApart, `${JSON.stringify(one)} and ${JSON.stringify(next)}`).toBe(true);
-  }
-  expect(await violationsOf(page)).toEqual([]);
 });

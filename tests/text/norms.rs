@@ -145,8 +145,19 @@ fn what_the_numbers_may_be_is_offered_the_quaternion_first() {
             (AsAxisAngle, "axis-angle [0 0 1] 0.7854rad"),
         ],
     );
-    // A time and a position; a colour; a point; and a mixed number.
+    // Neither a length of 1 nor a familiar angle.
+    check(
+        "1 -1 0 1.58",
+        &[
+            (AsQuaternion, "quaternion 1 -1 0 1.58"),
+            (AsYaw, "1.58rad about z"),
+        ],
+    );
+    // A time and a position; a colour; a point; a mixed number; no axis; more than half and a whole turn.
     for text in [
+        "0.6 0.64 0.52 50",
+        "0 0 4 225",
+        "0 0 1 361",
         "1305031098.67 1.36 0.63 1.64",
         "255 128 0 255",
         "1.25 -0.75 2.5 1",
@@ -195,7 +206,7 @@ fn zeros_that_were_rounded_are_refused() {
         check_refusal(
             Field::Quaternion,
             text,
-            ProblemCode::ZeroQuaternion,
+            ProblemCode::FarFromUnit,
             text,
             word,
         );

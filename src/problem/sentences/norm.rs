@@ -16,7 +16,7 @@ impl Fault {
     }
 
     pub(crate) fn zero_but_for_rounding(span: Span, norm: f64) -> Self {
-        Self::told(ProblemCode::ZeroQuaternion, span, || {
+        Self::told(ProblemCode::FarFromUnit, span, || {
             Words::new(
                 format!(
                     "zero but for rounding (norm {}): this is not a rotation",

@@ -79,11 +79,9 @@ impl Order {
     }
 
     /// That the text says more of what the numbers are.
-    fn named(self, named: Named) -> Self {
-        Self {
-            named: self.named.max(named),
-            ..self
-        }
+    fn named(mut self, named: Named) -> Self {
+        self.named = self.named.max(named);
+        self
     }
 
     fn announced(self) -> Self {
@@ -153,7 +151,12 @@ fn read_quaternion(
     order: Order,
     place: Place,
 ) -> Result<ParsedQuaternion, Fault> {
-    let order = order.named(said_of(entries));
+    // A name that only tells what the numbers are is left to the whole core.
+    let order = if cfg!(feature = "whole") {
+        order.named(said_of(entries))
+    } else {
+        order
+    };
     if let Some(node) = orientation(entries)? {
         return read_members(node, order, place);
     }
@@ -211,12 +214,7 @@ fn read_quaternion(
 }
 
 /// The most that a name of the whole or of a component says, or the heading above it.
-///
-/// Without the feature `whole` it is nothing: what only a name tells is left to the whole core.
 fn said_of(entries: &[Entry<'_>]) -> Named {
-    if !cfg!(feature = "whole") {
-        return Named::Anything;
-    }
     let path = |name| str::rsplit_once(name, ['.', ':']).map(|(path, _)| path);
     let keys = entries.iter().filter_map(|entry| entry.key);
     let names = keys.flat_map(|key| [Some(key.name), key.heading, path(key.name)]);

@@ -51,7 +51,7 @@ pub(crate) fn with_suggestion(
     if text.len() > LONGEST_TEXT_BYTES {
         return fault;
     }
-    if fault.code == ProblemCode::TwoMeanings {
+    if cfg!(feature = "whole") && fault.code == ProblemCode::TwoMeanings {
         let Fault { span, .. } = fault;
         return fault.offering(|| of_two(text, span, read));
     }

@@ -82,10 +82,20 @@ function texts() {
 function isForWhole(text) {
   const isCall = /[\w>"']\s*[([{]/.test(text);
   const labels = text.match(/\b(?:[xyz]|[xyz][ _-]?axis|axis_[xyz]|e_[xyz]|col\w*|row)\W/gi) ?? [];
-  const names = [...text.matchAll(/((?:[\p{L}_][\p{L}\w.:]*["'>]?\s+["']?)*[\p{L}_][\p{L}\w.:]*)["'>]?\s*[:=]/gu)];
+  const names = [
+    ...text.matchAll(
+      /((?:[\p{L}_][\p{L}\w.:]*["'>]?\s+["']?)*[\p{L}_][\p{L}\w.:]*)["'>]?\s*[:=]/gu,
+    ),
+  ];
   const isLabelled = names.some(([, words]) =>
-    words.split(/["'\s]+/).some((word) => !plain.test(word) && !/^(?:deg|rad|degrees|radians)$/.test(word)),
+    words
+      .split(/["'\s]+/)
+      .some((word) => !plain.test(word) && !/^(?:deg|rad|degrees|radians)$/.test(word)),
   );
+  const quoted = [...text.matchAll(/["']([^"'\n]*)["']\s*[:=]/g)].some(
+    ([, name]) => !plain.test(name),
+  );
+  const namesOrder = /scalar_(?:first|last)/.test(text);
   const hasComment = /(?:\/\/|\/\*|#|% ).*\p{L}/u.test(text);
   const separates = /,[^]*;|;[^]*,|(?<!\d)0,[1-9]|^\W*\[\s*[\d.]+\s*\]/.test(text);
   const units = text.match(/(?<![a-z])[ijk](?![a-z])/g) ?? [];
@@ -93,6 +103,8 @@ function isForWhole(text) {
     isCall ||
     labels.length > 1 ||
     isLabelled ||
+    quoted ||
+    namesOrder ||
     hasComment ||
     separates ||
     (units.length === 1 && units[0] !== "k")

@@ -236,16 +236,18 @@ impl<'t> Told<'t> {
 /// That labels have none but plain words, of which the meaning need not be known.
 pub(crate) fn check_plain(tokens: &[Token<'_>], wanted: Wanted) -> Result<(), Fault> {
     let mut label = 0;
+    let is_permuted = |name: &&Token<'_>| {
+        name.text.len() == 3 && is_sequence(name.text) && !name.text.eq_ignore_ascii_case("xyz")
+    };
     for (at, token) in tokens.iter().enumerate() {
-        // Of vectors `zyx = …` is another order.
-        let is_refused = |name: &&Token<'_>| {
-            let is_permuted = matches!(name.text, "zyx" | "yxz" | "xzy" | "zxy" | "yzx");
-            (wanted == Wanted::Vector && is_permuted) || !is_plain(name.text)
-        };
-        if is_mark(Some(token))
-            && let Some(name) = tokens[label..at].iter().find(is_refused)
-        {
-            return Err(Fault::other_label(name.span, "", "", wanted));
+        if is_mark(Some(token)) {
+            let names = &tokens[label..at];
+            let other = names.iter().find(|name| !is_plain(name.text));
+            // Of vectors `zyx = …` is another order.
+            let order = names.last().filter(|_| wanted == Wanted::Vector);
+            if let Some(name) = other.or(order.filter(is_permuted)) {
+                return Err(Fault::other_label(name.span, "", "", wanted));
+            }
         }
         if !is_name(token) || token.angle_unit().is_some() {
             label = at + 1;

@@ -97,7 +97,7 @@ function isForWhole(text) {
   );
   const namesOrder = /scalar_(?:first|last)/.test(text);
   const hasComment = /(?:\/\/|\/\*|#|% ).*\p{L}/u.test(text);
-  const separates = /,[^]*;|;[^]*,|(?<!\d)0,[1-9]|^\W*\[\s*[\d.]+\s*\]/.test(text);
+  const separates = /,[\s\S]*;|;[\s\S]*,|(?<!\d)0,[1-9]|^\W*\[\s*[\d.]+\s*\]/.test(text);
   const units = text.match(/(?<![a-z])[ijk](?![a-z])/g) ?? [];
   return (
     isCall ||

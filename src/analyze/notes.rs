@@ -45,8 +45,8 @@ impl Attitude {
         match self.row_marks {
             Some(RowMarks::None) => facts.extend(self.rows_fact()),
             Some(RowMarks::AxisNames) => facts.extend(self.axes_fact()),
-            Some(RowMarks::Columns) => facts.extend(self.columns_fact()),
-            Some(RowMarks::Lines | RowMarks::Brackets) | None => {}
+            Some(RowMarks::Columns) if cfg!(feature = "whole") => facts.extend(self.columns_fact()),
+            Some(RowMarks::Lines | RowMarks::Brackets | RowMarks::Columns) | None => {}
         }
         if let Form::Matrix(matrix) = self.form
             && matrix.correction > SMALLEST_CORRECTION_TOLD
@@ -129,7 +129,7 @@ impl Attitude {
     /// That columns were told, where rows would be another rotation.
     fn columns_fact(&self) -> Option<Fact> {
         self.transposed_differs_by_deg()
-            .map(|rows_differ_by_deg| Fact::ColumnsFromText(ColumnsFromText { rows_differ_by_deg }))
+            .map(|rows_differ_by_deg| Fact::ColumnsFromText(AxesAsColumns { rows_differ_by_deg }))
     }
 
     /// How far away the opposite turn is, in degrees; `None` where it is the same.

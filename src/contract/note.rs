@@ -72,7 +72,7 @@ pub enum Fact {
     /// Three vectors with the names of axes were taken for the columns of the matrix.
     AxesAsColumns(AxesAsColumns),
     /// A label says that the nine numbers are columns, so they were read column by column.
-    ColumnsFromText(ColumnsFromText),
+    ColumnsFromText(AxesAsColumns),
     /// The matrix is not quite a rotation, so the nearest one was used.
     NearestRotation(UsedNearestRotation),
     /// The scalar is negative, as typed or because the angles are more than half a turn: −q, to which
@@ -257,22 +257,12 @@ pub struct RowsAssumed {
     pub columns_differ_by_deg: f64,
 }
 
-/// The data of [`Fact::AxesAsColumns`].
+/// The data of [`Fact::AxesAsColumns`] and [`Fact::ColumnsFromText`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
 pub struct AxesAsColumns {
     /// How far away the rotation is that the same vectors give row by row, the opposite turn, in
-    /// degrees.
-    pub rows_differ_by_deg: f64,
-}
-
-/// The data of [`Fact::ColumnsFromText`].
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-#[serde(rename_all = "camelCase")]
-pub struct ColumnsFromText {
-    /// How far away the rotation is that the same numbers give row by row, the opposite turn, in
     /// degrees.
     pub rows_differ_by_deg: f64,
 }

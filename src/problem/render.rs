@@ -44,8 +44,8 @@ impl Fault {
     ///
     /// ```
     /// # use quatlas::parse_vector;
-    /// let lines = parse_vector("1 2 ½3").unwrap_err().render("1 2 ½3");
-    /// assert!(lines.contains("\n  | 1 2 ½3\n  |     "), "{lines}");
+    /// let lines = parse_vector("1 0 ½3").unwrap_err().render("1 0 ½3");
+    /// assert!(lines.contains("\n  | 1 0 ½3\n  |     "), "{lines}");
     /// ```
     #[must_use]
     pub fn render(&self, text: &str) -> String {

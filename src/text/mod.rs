@@ -31,7 +31,7 @@
 //! # Degrees or radians
 //!
 //! What is written wins: a unit beside each angle, or once for all (`ZYX 30 20 10 deg`). A π means
-//! radians, and the call of a library has the library's unit. Otherwise a rotation vector, a half-angle
+//! radians, and the call of a library has the library's unit (beyond a full turn in radians only assumed). Otherwise a rotation vector, a half-angle
 //! vector and an attribute `rpy="…"` are radians; other angles are radians where none is larger than a full turn
 //! (6.29, so that 6.2832 is one), and degrees otherwise. [`UnitSource`](crate::UnitSource) tells which of these it was.
 //! Inside `sin`, `cos` and `tan` a number without a unit is radians whatever its size; beyond a full turn
@@ -41,8 +41,16 @@
 //!
 //! `unit`, `degrees`, `order` and `format` with a value that is known here count for all the numbers.
 //! What programs print besides (`frame_id`, `dtype`, …) is read past. Any other named word, such as
-//! `layout` or `handedness`, may change the numbers and is refused; so is a label such as `rpy_rate`
-//! or `R.T`, and a text with two rotations.
+//! `layout` or `handedness`, may change the numbers and is refused; so is a text with two rotations.
+//!
+//! # What labels and comments say
+//!
+//! A label is read word by word, also `qInv` and `worldToBody`. What it says of an order (`q_scalar_last`) or of
+//! columns (`column_major`, and three.js's `elements`) is used; what names something else than a rotation
+//! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused, and
+//! [`analyze`](fn@crate::analyze) refuses what names another convention or direction than is declared (`q_jpl`,
+//! `world_to_body`). Of a comment the same words count, and a unit for all the angles (`rpy 5 4 3 # deg`). Any
+//! other word says nothing.
 //!
 //! # Which sequence
 //!
@@ -82,13 +90,14 @@
 //!   past where they touch nothing; a character that is not seen, or a narrow space, between two
 //!   digits is refused.
 //! - Commas stand between all the numbers of a list or between none, so that a decimal comma is not
-//!   read as two numbers.
+//!   read as two numbers; `0,7;0,7` and `0,7,0,7` are refused. `(0.92; 0.1, -0.2, 0.38)` is a scalar and a vector.
+//! - `1 1/2` is refused, since it may be one number; so is `0.6+0.8j`, a complex number in many programs.
 //! - A call is read only if it is known what it makes of its numbers: `inverse(…)`, `exp(…)` and the
 //!   like are refused, because they are not applied here.
 //! - The words that announce a description (`about`, `rotvec`, `rpy`, a sequence, …) are read before
 //!   the grammar, which then reads the pieces between them.
 //! - Of several values under headings, as in a ROS pose, the orientation is taken.
-//! - Comments (`#`, `//`, `/* */`, and `%` with a space), the words of a declaration
+//! - The numbers of comments (`#`, `//`, `/* */`, and `%` with a space), R's indices (`[1] 0.92 …`), the words of a declaration
 //!   (`const Eigen::Quaterniond q(…);`), types of numbers (`Quaternion<double>`), float suffixes
 //!   (`0.5f`), casts (`np.float64(0.5)`) and what consoles print before a list (`Float32Array(4) […]`,
 //!   with the count of its members) are read past. Any other word or number before a list is refused.
@@ -135,8 +144,8 @@ pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::description::told::Layout;
 pub(crate) use crate::text::description::told::Told;
+use crate::text::description::told::{Layout, check_plain};
 use crate::text::description::{list, quaternion};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
@@ -195,19 +204,26 @@ pub(crate) fn read_rotation(
 ) -> Result<RotationText<'_>, Fault> {
     let (telling, span) = telling_of(text, Wanted::Quaternion)?;
     let told = Told::of(&telling, text, Wanted::Quaternion)?;
-    let rotation = rotation(&telling, text, span, declared, &told)?;
-    let row_marks = match rotation {
+    let mut rotation = rotation(&telling, text, span, declared, &told)?;
+    let mut row_marks = match rotation {
         ParsedRotation::Matrix(_) => RowMarks::among(text, &telling),
         _ => RowMarks::None,
     };
-    let (rotation, layout) = told.laid_out(rotation, row_marks != RowMarks::None)?;
+    // Without the feature `whole` no label that says so is read.
+    if cfg!(feature = "whole") {
+        let layout = told.layout_of(&rotation, row_marks != RowMarks::None)?;
+        match (layout, &mut rotation) {
+            (Some(Layout::Columns), ParsedRotation::Matrix(matrix)) => {
+                matrix.transpose_mut();
+                row_marks = RowMarks::Columns;
+            }
+            (Some(Layout::Rows), _) if row_marks == RowMarks::None => row_marks = RowMarks::Lines,
+            _ => {}
+        }
+    }
     Ok(RotationText {
-        row_marks: match layout {
-            Some(Layout::Columns) => RowMarks::Columns,
-            Some(Layout::Rows) if row_marks == RowMarks::None => RowMarks::Lines,
-            _ => row_marks,
-        },
         rotation,
+        row_marks,
         told,
     })
 }
@@ -264,7 +280,11 @@ pub fn parse_quaternion(text: &str, declared: ComponentOrder) -> Result<ParsedQu
 /// ```
 pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
     let (telling, span) = telling_of(text, Wanted::Vector)?;
-    Told::of(&telling, text, Wanted::Vector)?;
+    if cfg!(feature = "whole") {
+        Told::of(&telling, text, Wanted::Vector)?;
+    } else {
+        check_plain(&telling.tokens, Wanted::Vector)?;
+    }
     quaternion::vector(&grammar::entries(&telling.tokens)?, span)
 }
 

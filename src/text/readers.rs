@@ -165,7 +165,7 @@ fn by_words<'s, 't>(
             word,
             after,
         } => ByWords::Rotation(axis_angle::about(before, word, after, unit)?),
-        Spoken::Refused(fault) => return Err(fault),
+        Spoken::Other(label) => return Err(label.fault()),
         Spoken::Several(second) => return Err(Fault::several_values(second)),
         Spoken::Parts(labels, parts) => {
             let announcement = labels.with_unit(unit)?.with_sequence(sequence)?;
@@ -220,7 +220,9 @@ fn matrix(members: &Members<'_>) -> Result<Option<ParsedRotation>, Fault> {
     while let Some(first) = bare.first_mut()
         && let Some(key) = first.key.filter(|key| component(key.name).is_none())
     {
-        labels.push(key);
+        if cfg!(feature = "whole") {
+            labels.push(key);
+        }
         first.key = None;
         bare = self::members(&bare)?;
     }

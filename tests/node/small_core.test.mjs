@@ -82,12 +82,47 @@ const isFarFromUnit = ({ notes }) =>
       ["normalised", "far-from-unit"].includes(fact.kind) && !(Math.abs(fact.deviation) <= 0.1),
   );
 
-/** A name before an opening bracket that is no function, or a vector under each of several labels. */
+/**
+ * A name before an opening bracket that is no function, a vector under each of several labels, a label or a
+ * comment with other than plain words, separators that may say more, or one of the units i and j alone.
+ */
 function isForWhole(text) {
   const isCall = /[\w>"']\s*[([{]/.test(text);
   const labels = text.match(/\b(?:[xyz]|[xyz][ _-]?axis|axis_[xyz]|e_[xyz]|col\w*|row)\W/gi) ?? [];
-  return isCall || labels.length > 1;
+  const names = [
+    ...text.matchAll(
+      /((?:[\p{L}_][\p{L}\w.:]*["'>]?\s+["']?)*[\p{L}_][\p{L}\w.:]*)["'>]?\s*[:=]/gu,
+    ),
+  ];
+  const isLabelled = names.some(([, words]) =>
+    words
+      .split(/["'\s]+/)
+      .some((word) => !plain.test(word) && !/^(?:deg|rad|degrees|radians)$/.test(word)),
+  );
+  const quoted = [...text.matchAll(/["']([^"'\n]*)["']\s*[:=]/g)].some(
+    ([, name]) => !plain.test(name),
+  );
+  const namesOrder = /scalar_(?:first|last)/.test(text);
+  const hasComment = /(?:\/\/|\/\*|#|% ).*\p{L}/u.test(text);
+  const separates = /,[\s\S]*;|;[\s\S]*,|(?<!\d)0,[1-9]|^\W*\[\s*[\d.]+\s*\]/.test(text);
+  const units = text.match(/(?<![a-z])[ijk](?![a-z])/g) ?? [];
+  return (
+    isCall ||
+    labels.length > 1 ||
+    isLabelled ||
+    quoted ||
+    namesOrder ||
+    hasComment ||
+    separates ||
+    (units.length === 1 && units[0] !== "k")
+  );
 }
+
+/** The labels of `PLAIN` in src/text/description/told.rs, letters and sequences. */
+const plainLabels = /const PLAIN: &str = "([^"]*)"/
+  .exec(read("src/text/description/told.rs"))[1]
+  .split(/[\s\\]+/);
+const plain = new RegExp(`^(?:${plainLabels.join("|")}|[^tJKPSW]|[rs]?[xyz]{3}|[XYZ]{3})$`);
 
 test("the small core answers as the whole core does, or says that there is a problem", () => {
   const counts = { same: 0, asksWhole: 0, problems: 0 };

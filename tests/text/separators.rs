@@ -1,8 +1,8 @@
 //! What separates numbers and what only seems to: decimal commas, semicolons, fractions, indices.
 
 use crate::asked::{AS_RADIANS, RADIANS, facts, read, unit_of};
-use crate::checked::{check_offered, check_read, check_refusal, check_refused};
-use quatlas::ProblemCode::{Unexpected, WrongCount};
+use crate::checked::{check_none_offered, check_offered, check_read, check_refusal, check_refused};
+use quatlas::ProblemCode::{Unexpected, UnknownWord, WrongCount};
 use quatlas::{
     ComponentOrder, Convention, Fact, Field, OrderSource, Remedy, parse_quaternion, parse_vector,
 };
@@ -63,6 +63,7 @@ fn a_whole_number_before_a_fraction_may_be_one_with_it() {
         ("1 1/2 0 0", Unexpected, "1 1/2", "fraction"),
         ("rpy 1 1/2 0", Unexpected, "1 1/2", "fraction"),
         ("0 0 1 ½", Unexpected, "1 ½", "fraction"),
+        ("3/4/2024 1 0 0", Unexpected, "3/4/2024", "a date"),
     ]);
     check_refusal(Field::Vector, "2 3/4 0", Unexpected, "2 3/4", "fraction");
     check_read(&[
@@ -71,6 +72,7 @@ fn a_whole_number_before_a_fraction_may_be_one_with_it() {
         ("1, 1/2, 0, 0", "2 1 0 0"),
         ("1\n1/2\n0\n0", "2 1 0 0"),
         ("1 3/2 0 0", "2 3 0 0"),
+        ("1/2/2 0 0 1/4", "1 0 0 1"),
     ]);
 }
 
@@ -103,10 +105,15 @@ fn the_indices_that_r_prints_are_none_of_the_numbers() {
 #[wasm_bindgen_test(unsupported = test)]
 fn a_complex_number_is_no_quaternion() {
     check_refused(&[
-        ("0.6+0.8j", Unexpected, "0.6+0.8j", "complex"),
-        ("(-0.6-0.8j)", Unexpected, "0.6-0.8j", "complex"),
-        ("z = 0.6+0.8i", Unexpected, "0.6+0.8i", "complex"),
+        ("0.6+0.8j", UnknownWord, "j", "complex"),
+        ("(-0.6-0.8j)", UnknownWord, "j", "complex"),
+        ("z = 0.6+0.8i", UnknownWord, "i", "complex"),
     ]);
+    // No button makes one of it.
+    check_none_offered(
+        Field::Quaternion,
+        &["0.6+0.8j", "(0.6-0.8j)", "z = 0.6+0.8i"],
+    );
     check_read(&[
         ("0.6 + 0.8i", "0.6 0.8 0 0"),
         ("0.6+0.8k", "0.6 0 0 0.8"),

@@ -82,10 +82,21 @@ impl Fault {
         )
     }
 
+    /// `1/2/2026`
+    pub(crate) fn date(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Unexpected,
+            span,
+            "two divisions in a row: a date, or a number",
+            "the numbers of the rotation",
+            "remove the date, or write the number that is meant",
+        )
+    }
+
     /// `0.6+0.8j`
     pub(crate) fn complex_number(span: Span) -> Self {
         Self::new(
-            ProblemCode::Unexpected,
+            ProblemCode::UnknownWord,
             span,
             "a complex number, or a quaternion with one of its units",
             "all the units of a quaternion, or spaces around the sign",

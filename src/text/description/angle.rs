@@ -71,7 +71,9 @@ fn unit_source(angles: &[Angle], rule: UnitRule) -> Result<UnitSource, Fault> {
     };
     Ok(match rule {
         // The library takes radians, and 90 of them are hardly meant.
-        UnitRule::Library(AngleUnit::Radians) if angles.iter().any(is_more_than_a_turn) => {
+        UnitRule::Library(AngleUnit::Radians)
+            if cfg!(feature = "whole") && angles.iter().any(is_more_than_a_turn) =>
+        {
             UnitSource::Assumed(AngleUnit::Radians)
         }
         UnitRule::ForAll(unit) | UnitRule::Library(unit) => UnitSource::Written(unit),

@@ -2,9 +2,9 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
+use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::problem::{Span, Wanted};
-use crate::text::description::label;
+use crate::text::description::label::OtherLabel;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::grammar::tree::Key;
 use crate::text::vocabulary::phrases::{
@@ -13,7 +13,7 @@ use crate::text::vocabulary::phrases::{
 };
 
 /// The words before the numbers.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Announcement<'t> {
     pub(crate) form: Option<Form>,
     pub(crate) frame: Option<EulerFrame>,
@@ -21,8 +21,8 @@ pub(crate) struct Announcement<'t> {
     pub(crate) unit: Option<AngleUnit>,
     /// Whether another unit than that is written as well.
     pub(crate) has_two_units: bool,
-    /// The problem of a label that names something else than a rotation.
-    pub(crate) refused: Option<Fault>,
+    /// A label that names something else than a rotation.
+    pub(crate) other: Option<OtherLabel<'t>>,
     pub(crate) span: Span,
 }
 
@@ -183,9 +183,7 @@ impl<'t> Announcement<'t> {
 
     /// Takes in what a label before named parts says.
     pub(crate) fn take_label(&mut self, label: &Token<'t>) {
-        if self.refused.is_none() {
-            self.refused = label::check(label.text, label.span, Wanted::Quaternion).err();
-        }
+        self.other = self.other.or_else(|| OtherLabel::of(label));
         if let Some(letters) = sequence_in_name(label.text) {
             self.set_sequence(Sequence::InName(letters, label.span));
         }

@@ -34,6 +34,10 @@ const MOST_CALLS: usize = 8;
 
 /// The rotation that one call makes, perhaps under a label or inside another constructor.
 pub(crate) fn rotation(entries: &[Entry<'_>]) -> Result<Option<ParsedRotation>, Fault> {
+    // Without the feature `whole` there is no call.
+    if !cfg!(feature = "whole") {
+        return Ok(None);
+    }
     let Some((mut node, labels)) = named_node(entries) else {
         return Ok(None);
     };

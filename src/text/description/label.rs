@@ -6,6 +6,47 @@ use crate::text::grammar::lex::Token;
 use crate::text::vocabulary::labels::{LabelWord, other_than_rotation, other_than_vector};
 use crate::text::vocabulary::phrases::is_name;
 
+/// A name of a label, and what it names in place of a rotation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OtherLabel<'t> {
+    name: Token<'t>,
+    other: LabelWord,
+}
+
+impl<'t> OtherLabel<'t> {
+    pub(crate) fn of(name: &Token<'t>) -> Option<Self> {
+        let other = other_than_rotation(name.text)?;
+        Some(Self { name: *name, other })
+    }
+
+    /// That of several words which name something else together: the one that does alone, or the last.
+    pub(crate) fn among(label: &[Token<'t>]) -> Option<Self> {
+        // Without the feature `whole` only plain labels are read at all (`told.rs`).
+        if !cfg!(feature = "whole") {
+            return None;
+        }
+        let names: Vec<Token<'t>> = label
+            .iter()
+            .filter(|token| is_name(token))
+            .copied()
+            .collect();
+        let words: Vec<&str> = names.iter().map(|name| name.text).collect();
+        let other = other_than_rotation(&words.join(" "))?;
+        let is_it = |name: &&Token<'t>| other_than_rotation(name.text) == Some(other);
+        let name = *names.iter().find(is_it).or(names.last())?;
+        Some(Self { name, other })
+    }
+
+    pub(crate) fn fault(self) -> Fault {
+        fault(
+            self.other,
+            self.name.span,
+            self.name.text,
+            Wanted::Quaternion,
+        )
+    }
+}
+
 /// That a label names nothing else than what is wanted.
 pub(crate) fn check(name: &str, span: Span, wanted: Wanted) -> Result<(), Fault> {
     let other = match wanted {
@@ -24,19 +65,4 @@ fn fault(other: LabelWord, span: Span, name: &str, wanted: Wanted) -> Fault {
         LabelWord::LeftHanded => Fault::left_handed(span),
         _ => Fault::other_label(span, name, other.in_words(), wanted),
     }
-}
-
-/// The problem of a label of several words that name something else than a rotation together, at the one that
-/// does alone.
-pub(crate) fn fault_of_words(label: &[Token<'_>]) -> Option<Fault> {
-    let names: Vec<&Token<'_>> = label.iter().filter(|token| is_name(token)).collect();
-    let together = names
-        .iter()
-        .map(|name| name.text)
-        .collect::<Vec<_>>()
-        .join(" ");
-    let other = other_than_rotation(&together)?;
-    let is_it = |name: &&&Token<'_>| other_than_rotation(name.text) == Some(other);
-    let name = names.iter().find(is_it).or(names.last())?;
-    Some(fault(other, name.span, name.text, Wanted::Quaternion))
 }

@@ -8,8 +8,8 @@ use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
 use crate::text::description::ParsedRotation;
 use crate::text::grammar::lex::{Token, TokenKind};
-use crate::text::vocabulary::labels::{Derived, LabelWord, is_plain, meanings_of, words_of};
-use crate::text::vocabulary::phrases::{is_mark, is_name};
+use crate::text::vocabulary::labels::{Derived, LabelWord, meanings_of, words_of};
+use crate::text::vocabulary::phrases::{is_mark, is_name, is_sequence};
 use crate::text::vocabulary::{Comment, Telling};
 
 /// What labels and comments tell, as far as it is no part of a form.
@@ -39,23 +39,15 @@ impl<'t> Told<'t> {
     /// What the labels and the comments of a text tell; a problem where a comment says that the numbers are
     /// something else, or where only the whole core knows what is said.
     pub(crate) fn of(telling: &Telling<'t>, text: &'t str, wanted: Wanted) -> Result<Self, Fault> {
+        // Without the feature `whole` no comment has words (`blank.rs`), and labels are plain.
+        if !cfg!(feature = "whole") {
+            return check_plain(&telling.tokens, wanted).map(|()| Self::default());
+        }
         let mut told = Self::default();
-        if !telling.has_words && telling.comments.is_empty() {
-            return Ok(told);
-        }
         for (at, span) in labels(&telling.tokens) {
-            let written = &text[span.start..span.end];
-            if cfg!(feature = "whole") {
-                told.take_label(written, span, &telling.tokens[at + 1..]);
-            } else if !is_plain(written) {
-                return Err(Fault::other_label(span, written, "", wanted));
-            }
+            told.take_label(&text[span.start..span.end], span, &telling.tokens[at + 1..]);
         }
-        if cfg!(feature = "whole") {
-            told.take_comments(&telling.comments, wanted)?;
-        } else if let Some(comment) = telling.comments.iter().find(|comment| comment.has_words()) {
-            return Err(Fault::other_label(comment.span, comment.text, "", wanted));
-        }
+        told.take_comments(&telling.comments, wanted)?;
         Ok(told)
     }
 
@@ -166,13 +158,13 @@ impl<'t> Told<'t> {
         Ok(())
     }
 
-    /// The rotation as its labels have it: a matrix whose columns they say to stand there is transposed; and
-    /// whether rows or columns were told.
-    pub(crate) fn laid_out(
+    /// How a label says that the nine numbers of a rotation stand; a problem where they are no rotation by their
+    /// label, or where there are no nine.
+    pub(crate) fn layout_of(
         &self,
-        rotation: ParsedRotation,
+        rotation: &ParsedRotation,
         has_rows: bool,
-    ) -> Result<(ParsedRotation, Option<Layout>), Fault> {
+    ) -> Result<Option<Layout>, Fault> {
         let ParsedRotation::Matrix(matrix) = rotation else {
             return match self.layout {
                 Some(Saying {
@@ -180,11 +172,11 @@ impl<'t> Told<'t> {
                     written,
                     span,
                 }) => Err(Fault::unknown_argument(span, written)),
-                _ => Ok((rotation, None)),
+                _ => Ok(None),
             };
         };
         if let Some(symbol) = self.symbol
-            && matrix == matrix.transpose()
+            && *matrix == matrix.transpose()
         {
             let what = symbol.word.in_words();
             return Err(Fault::other_label(
@@ -195,13 +187,10 @@ impl<'t> Told<'t> {
             ));
         }
         Ok(match self.layout.map(|saying| saying.word) {
-            Some(LabelWord::Elements) if has_rows => (rotation, None),
-            Some(LabelWord::Columns | LabelWord::Elements) => (
-                ParsedRotation::Matrix(matrix.transpose()),
-                Some(Layout::Columns),
-            ),
-            Some(LabelWord::Rows) => (rotation, Some(Layout::Rows)),
-            _ => (rotation, None),
+            Some(LabelWord::Columns) => Some(Layout::Columns),
+            Some(LabelWord::Elements) if !has_rows => Some(Layout::Columns),
+            Some(LabelWord::Rows) => Some(Layout::Rows),
+            _ => None,
         })
     }
 
@@ -260,6 +249,9 @@ impl<'t> Told<'t> {
         convention: Convention,
         matrix: MatrixConvention,
     ) -> Result<(), Fault> {
+        if !cfg!(feature = "whole") {
+            return Ok(());
+        }
         let direction = match rotation {
             ParsedRotation::Quaternion(_) => convention.operator(),
             ParsedRotation::Matrix(_) => matrix.operator(),
@@ -284,6 +276,40 @@ impl<'t> Told<'t> {
         }
         Ok(())
     }
+}
+
+/// That labels have none but plain words, of which the meaning need not be known.
+pub(crate) fn check_plain(tokens: &[Token<'_>], wanted: Wanted) -> Result<(), Fault> {
+    let mut label = 0;
+    let is_permuted = |name: &&Token<'_>| {
+        name.text.len() == 3 && is_sequence(name.text) && !name.text.eq_ignore_ascii_case("xyz")
+    };
+    for (at, token) in tokens.iter().enumerate() {
+        if is_mark(Some(token)) {
+            let names = &tokens[label..at];
+            let other = names.iter().find(|name| !is_plain(name.text));
+            // Of vectors `zyx = …` is another order.
+            let order = names.last().filter(|_| wanted == Wanted::Vector);
+            if let Some(name) = other.or(order.filter(is_permuted)) {
+                return Err(Fault::other_label(name.span, "", "", wanted));
+            }
+        }
+        if !is_name(token) || token.angle_unit().is_some() {
+            label = at + 1;
+        }
+    }
+    Ok(())
+}
+
+/// The labels that are read without the feature `whole`, besides single letters and sequences of axes.
+const PLAIN: &str = "quat quaternion rotation qw qx qy qz orientation q_wxyz q_xyzw rpy ypr rpy_deg euler euler_zyx \
+    euler_xyz axis angle roll pitch yaw rotvec rvec rotation_vector gibbs mrp half vector matrix unit degrees \
+    order double";
+
+/// Whether a label says nothing besides what its form is.
+fn is_plain(name: &str) -> bool {
+    let is_letter = name.len() == 1 && !matches!(name, "t" | "J" | "K" | "P" | "S" | "W");
+    is_letter || is_sequence(name) || PLAIN.split(' ').any(|plain| plain == name)
 }
 
 /// How a label says that nine numbers stand.

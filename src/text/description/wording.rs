@@ -3,9 +3,8 @@
 //! It works on tokens, before any arithmetic: `3-2-1` is a sequence here and a difference later.
 
 use crate::problem::Span;
-use crate::problem::fault::Fault;
 use crate::text::description::announcement::{Announcement, announcement};
-use crate::text::description::label;
+use crate::text::description::label::OtherLabel;
 use crate::text::description::matrix_columns::{LabelledVector, labelled_vectors};
 use crate::text::description::named_members::component;
 use crate::text::description::named_parts::{SpokenPart, named_parts};
@@ -28,7 +27,7 @@ pub(crate) enum Spoken<'s, 't> {
     /// `x: 0 1 0, y: -1 0 0, z: 0 0 1`
     Vectors(Vec<LabelledVector<'s, 't>>),
     /// `rpy_rate: …`, `R.T = …`: a label of all the numbers that names something else.
-    Refused(Fault),
+    Other(OtherLabel<'t>),
     /// Two attributes that are rotations: where the second stands.
     Several(Span),
     /// `rotvec 0 0 0.785`: what is announced and what follows it.
@@ -46,26 +45,26 @@ pub(crate) fn spoken<'s, 't>(tokens: &'s [Token<'t>], text: &'t str) -> Spoken<'
     };
     let mut labels = Announcement::default();
     for _ in 0..=MOST_WRAPPINGS {
-        if let Some(fault) = fault_of_label(tokens) {
-            return Spoken::Refused(fault);
+        if let Some(other) = other_label(tokens) {
+            return Spoken::Other(other);
         }
         if let Some(vectors) = labelled_vectors(tokens) {
-            return match labels.refused {
-                Some(fault) => Spoken::Refused(fault),
+            return match labels.other {
+                Some(other) => Spoken::Other(other),
                 None => Spoken::Vectors(vectors),
             };
         }
         if let Some(found) = announcement(tokens, text).or_else(|| comma_initializer(tokens)) {
             let (announcement, length) = found;
-            return match labels.refused {
-                Some(fault) => Spoken::Refused(fault),
+            return match labels.other {
+                Some(other) => Spoken::Other(other),
                 None => Spoken::Announced(announcement, &tokens[length..]),
             };
         }
         if let Some(parts) = named_parts(tokens) {
-            let refused = labels.refused.take();
-            return match refused.or_else(|| label::fault_of_words(&tokens[..1])) {
-                Some(fault) => Spoken::Refused(fault),
+            let word_before = || OtherLabel::of(tokens.first().filter(|word| is_name(word))?);
+            return match labels.other.or_else(word_before) {
+                Some(other) => Spoken::Other(other),
                 None => Spoken::Parts(labels, parts),
             };
         }
@@ -101,8 +100,8 @@ fn after_label<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s [Token<'t>]> {
     }
 }
 
-/// The problem of the only label of tokens, where it names something else than a rotation.
-fn fault_of_label(tokens: &[Token<'_>]) -> Option<Fault> {
+/// The only label of tokens, where it names something else than a rotation.
+fn other_label<'t>(tokens: &[Token<'t>]) -> Option<OtherLabel<'t>> {
     let mark = tokens.iter().position(|token| is_mark(Some(token)))?;
     let (label, after) = (&tokens[..mark], &tokens[mark + 1..]);
     // A type or a form before it, or its unit after it, as in `rpy_rate (deg):`.
@@ -110,8 +109,8 @@ fn fault_of_label(tokens: &[Token<'_>]) -> Option<Fault> {
     let is_beside = label
         .iter()
         .all(|token| !matches!(token.kind, TokenKind::Number(_)));
-    let refused = label::fault_of_words(label)?;
-    (is_alone && is_beside).then_some(refused)
+    let other = OtherLabel::among(label)?;
+    (is_alone && is_beside).then_some(other)
 }
 
 /// The `rpy="…"` of elements of URDF, or more than one of them without an element.

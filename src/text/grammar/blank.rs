@@ -129,12 +129,17 @@ fn reference<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
     terminated("&", peek(borrowed)).parse_next(input)
 }
 
+/// Without the feature `whole` one with letters is no comment, since it may say something of the numbers: what
+/// begins it has no meaning then.
 fn comment<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
+    let is_passed_over =
+        |text: &&str| cfg!(feature = "whole") || !text.contains(char::is_alphabetic);
     alt((
         // With a space: `5%` is no comment but something that is not known here.
         (alt(("//", "#", "% ")), take_till(0.., '\n')).take(),
         ("/*", take_until(0.., "*/"), "*/").take(),
     ))
+    .verify(is_passed_over)
     .parse_next(input)
 }
 

@@ -152,6 +152,15 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
             if let Some(whole) = mixed_number(&tokens, value, written, spacing) {
                 return Err(Fault::mixed_number(whole.to(span)));
             }
+            if let [.., first, one, second, two] = &tokens[..]
+                && [one, two].into_iter().all(|divide| divide.text == "/")
+                && [first.text.len(), second.text.len(), written.len()].contains(&4)
+                && [one, second, two]
+                    .into_iter()
+                    .all(|token| token.spacing.is_adjacent())
+            {
+                return Err(Fault::date(first.span.to(span)));
+            }
         }
         // Two numbers that touch (`0.5.5`, `1½`) were not meant as two, and `0.92(3)` is a number
         // with its uncertainty, not a product.

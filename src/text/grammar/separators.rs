@@ -4,10 +4,15 @@
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
-use crate::text::grammar::nesting::inside;
 
 /// The tokens with brackets around the vector that a semicolon parts from its scalar.
 pub(crate) fn grouped<'t>(tokens: Vec<Token<'t>>) -> Result<Vec<Token<'t>>, Fault> {
+    if !cfg!(feature = "whole") {
+        return match asks_whole_core(&tokens) {
+            Some(token) => Err(Fault::commas_and_semicolons(token.span)),
+            None => Ok(tokens),
+        };
+    }
     if !tokens.iter().any(|token| token.kind == TokenKind::Comma) {
         return Ok(tokens);
     }
@@ -39,6 +44,32 @@ pub(crate) fn grouped<'t>(tokens: Vec<Token<'t>>) -> Result<Vec<Token<'t>>, Faul
         // Several are no one quaternion, with brackets or without.
         _ => tokens,
     })
+}
+
+/// The first sign that a text needs more than is looked at without the feature `whole`: semicolons between numbers
+/// with commas, a comma right between a zero and a digit, a number in brackets at the start.
+fn asks_whole_core<'s, 't>(tokens: &'s [Token<'t>]) -> Option<&'s Token<'t>> {
+    if let [open, .., close] = tokens.get(..3)?
+        && open.text == "["
+        && close.text == "]"
+    {
+        return Some(open);
+    }
+    let (mut has_commas, mut semicolon) = (false, None);
+    for three in tokens.windows(3) {
+        let [before, comma, after] = three else {
+            continue;
+        };
+        match comma.text {
+            "," if before.text == "0" && after.spacing.is_adjacent() && after.text != "0" => {
+                return Some(comma);
+            }
+            "," => has_commas = true,
+            ";" => semicolon = Some(comma),
+            _ => {}
+        }
+    }
+    semicolon.filter(|_| has_commas)
 }
 
 /// What stands between two brackets, or in the whole text.
@@ -169,35 +200,33 @@ fn with_brackets<'t>(tokens: &[Token<'t>], (start, end): (usize, usize)) -> Vec<
 
 /// That a text is no complex number of a program, `0.6+0.8j` or `(0.6+0.8i)`, which has no other units.
 pub(crate) fn check_no_complex_number(tokens: &[Token<'_>]) -> Result<(), Fault> {
-    let mut tokens = match tokens {
-        [name, mark, rest @ ..]
-            if matches!(name.kind, TokenKind::Word | TokenKind::Quoted)
-                && matches!(mark.kind, TokenKind::Colon | TokenKind::Equals) =>
-        {
-            rest
-        }
-        _ => tokens,
+    let mut units = tokens
+        .iter()
+        .filter(|token| matches!(token.text, "i" | "j" | "k"));
+    let (Some(unit), None) = (units.next(), units.next()) else {
+        return Ok(());
     };
-    while let Some(inner) = inside(tokens) {
-        tokens = inner;
+    // Without the feature `whole` it is not looked what stands before the only unit.
+    let is_complex =
+        unit.text != "k" && (!cfg!(feature = "whole") || tokens.windows(4).any(is_complex));
+    if is_complex {
+        return Err(Fault::complex_number(unit.span));
     }
-    let touches = |token: &Token<'_>| token.spacing.is_adjacent();
-    let is_sign = |token: &Token<'_>| matches!(token.kind, TokenKind::Plus | TokenKind::Minus);
+    Ok(())
+}
+
+/// `0.6+0.8j` without any space.
+fn is_complex(tokens: &[Token<'_>]) -> bool {
+    let [real, rest @ ..] = tokens else {
+        return false;
+    };
     let is_number = |token: &Token<'_>| matches!(token.kind, TokenKind::Number(_));
-    let sum = match tokens {
-        [sign, sum @ ..] if is_sign(sign) => sum,
-        _ => tokens,
+    let [sign, imaginary, unit] = rest else {
+        return false;
     };
-    match sum {
-        [real, sign, imaginary, unit]
-            if is_number(real)
-                && is_sign(sign)
-                && is_number(imaginary)
-                && matches!(unit.text, "i" | "j")
-                && [sign, imaginary, unit].into_iter().all(touches) =>
-        {
-            Err(Fault::complex_number(real.span.to(unit.span)))
-        }
-        _ => Ok(()),
-    }
+    is_number(real)
+        && matches!(sign.kind, TokenKind::Plus | TokenKind::Minus)
+        && is_number(imaginary)
+        && matches!(unit.text, "i" | "j")
+        && rest.iter().all(|token| token.spacing.is_adjacent())
 }

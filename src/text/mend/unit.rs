@@ -29,7 +29,9 @@ pub(crate) fn for_all(text: &str, unit_of: &dyn Fn(&str) -> Option<UnitSource>) 
             text.split_once(char::is_whitespace)
                 .map(|(first, rest)| format!("{first} {word} {rest}")),
         );
-        candidates.extend(behind_large_numbers(text, word));
+        if cfg!(feature = "whole") {
+            candidates.extend(behind_large_numbers(text, word));
+        }
         let says_so = |candidate: &String| unit_of(candidate) == Some(UnitSource::Written(unit));
         candidates.into_iter().find(says_so)
     };
@@ -39,9 +41,17 @@ pub(crate) fn for_all(text: &str, unit_of: &dyn Fn(&str) -> Option<UnitSource>) 
     }
 }
 
-/// With the word behind every number that is more than a full turn, as in the call of a library.
+/// With the word behind every number that is more than a full turn, in the call of a library.
 fn behind_large_numbers(text: &str, word: &str) -> Option<String> {
     let tokens = Telling::of(text).ok()?.tokens;
+    let calls = |pair: &[Token<'_>]| {
+        pair[0].kind == TokenKind::Word
+            && !Linear::is_function(pair[0].text)
+            && pair[1].kind == TokenKind::Open(Bracket::Round)
+    };
+    if !tokens.windows(2).any(calls) {
+        return None;
+    }
     let is_large = |token: &&Token<'_>| matches!(token.kind, TokenKind::Number(value) if value > FULL_TURN_RAD);
     let mut written = String::new();
     let mut end = 0;

@@ -52,10 +52,9 @@ pub(crate) fn without_list_names<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
 
 /// The tokens without the numbers in brackets that R prints before its lines, `[1] 0.92 0.10`, which count the
 /// numbers before them.
-pub(crate) fn without_indices<'t>(tokens: &[Token<'t>]) -> Vec<Token<'t>> {
-    // A number in brackets of its own is a member where the first of them is none.
-    if !index_ahead(tokens, 0) {
-        return tokens.to_vec();
+pub(crate) fn without_indices(tokens: Vec<Token<'_>>) -> Vec<Token<'_>> {
+    if !index_ahead(&tokens, 0) {
+        return tokens;
     }
     let mut bare = Vec::with_capacity(tokens.len());
     let mut at = 0;

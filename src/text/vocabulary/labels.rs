@@ -6,6 +6,7 @@
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
+use crate::text::vocabulary::constructors::order_in_name;
 use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, OPERATORS, STEMS, WORDS, WORLDS};
 pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
@@ -209,6 +210,9 @@ pub(crate) fn other_than_rotation(name: &str) -> Option<LabelWord> {
 
 /// What a label names in place of a vector, where it does: of quantities any may be turned.
 pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
+    if !cfg!(feature = "whole") {
+        return None;
+    }
     let is_permuted = |word: &str| {
         let word = word.to_lowercase();
         word.len() == 3 && word != "xyz" && "xyz".chars().all(|axis| word.contains(axis))
@@ -226,27 +230,11 @@ pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
     })
 }
 
-/// The words of labels that are read without the feature `whole`.
-const PLAIN: &str = "q quat quaternion quaternions rotation rot r m n u v w x y z qw qx qy qz orientation \
-    pose attitude rpy ypr euler angle angles axis roll pitch yaw heading rotvec rvec vector gibbs mrp mrps \
-    rodrigues parameters modified half halfangle axisangle axang matrix dcm rotmat \
-    unit units degrees deg radians rad order format sequence seq intrinsic extrinsic fixed rotating \
-    moving double float const auto eigen quaterniond quaternionf matrix3d xyzw wxyz";
-
-/// Whether a label has none but plain words, letters of a sequence and digits, which say nothing besides.
-pub(crate) fn is_plain(name: &str) -> bool {
-    let words: Vec<&str> = words_of(name).collect();
-    words.iter().enumerate().all(|(at, word)| {
-        let lower = word.to_lowercase();
-        let is_listed = PLAIN.split_ascii_whitespace().any(|plain| plain == lower);
-        let are_axes = |word: &str| word.bytes().all(|letter| matches!(letter, b'x'..=b'z'));
-        is_listed
-            // Not `b2w`.
-            || (at + 1 == words.len() && lower.bytes().all(|digit| digit.is_ascii_digit()))
-            || (lower.len() == 3 && are_axes(&lower))
-            || (lower.len() == 4 && lower.starts_with('s') && are_axes(&lower[1..]))
-    })
-}
+/// Words that stand in names of rotations, besides those that say more.
+#[cfg(feature = "whole")]
+const OF_ROTATIONS: &str = "q r m n u v w x y z qw qx qy qz rotation pose attitude angle angles axis roll pitch \
+    yaw vector parameters modified half halfangle axisangle axang matrix rotmat unit units order format sequence seq \
+    intrinsic extrinsic fixed rotating moving double float const auto eigen quaterniond quaternionf matrix3d";
 
 /// The longest name that is a symbol, which says as little as no name: `a`, `q0`, `foo`.
 #[cfg(feature = "whole")]
@@ -258,7 +246,9 @@ const LONGEST_SYMBOL: usize = 3;
 pub(crate) fn says_nothing(name: &str) -> bool {
     let is_known = |word: &str| {
         let lower = word.to_lowercase();
-        let is_listed = PLAIN.split_ascii_whitespace().any(|plain| plain == lower);
+        let is_listed = OF_ROTATIONS
+            .split_ascii_whitespace()
+            .any(|known| known == lower);
         is_listed || meaning_of_word(word).is_some()
     };
     let is_symbol = name.is_ascii() && name.len() <= LONGEST_SYMBOL;
@@ -282,10 +272,7 @@ pub(crate) fn order_alone(value: &str) -> Option<ComponentOrder> {
 /// The order of components that a label tells.
 pub(crate) fn order_of(name: &str) -> Option<ComponentOrder> {
     if !cfg!(feature = "whole") {
-        return match order_of_letters(&name.to_ascii_lowercase())? {
-            LabelWord::Order(order) => Some(order),
-            _ => None,
-        };
+        return order_in_name(name);
     }
     meanings_of(name)
         .into_iter()

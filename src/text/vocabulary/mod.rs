@@ -47,17 +47,17 @@ pub(crate) struct Comment<'t> {
     pub(crate) span: Span,
 }
 
-impl Comment<'_> {
-    pub(crate) fn has_words(&self) -> bool {
-        self.text.contains(char::is_alphabetic)
-    }
-}
-
 impl<'t> Telling<'t> {
     pub(crate) fn of(text: &'t str) -> Result<Self, Fault> {
         let tokens = lex::tokens(text)?;
-        let comments = comments(text, &tokens);
-        let tokens = grouped(without_indices(&tokens))?;
+        // Without the feature `whole` no comment has words, and a text with an index is refused.
+        let (tokens, comments) = if cfg!(feature = "whole") {
+            let comments = comments(text, &tokens);
+            (without_indices(tokens), comments)
+        } else {
+            (tokens, Vec::new())
+        };
+        let tokens = grouped(tokens)?;
         if !has_words(&tokens) {
             return Ok(Self {
                 tokens,

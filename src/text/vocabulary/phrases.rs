@@ -105,8 +105,11 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
         let said = match Said::of(words) {
             None if is_mark(tokens.get(length)) => {
                 // `imu rate rpy:` is something else, as `rpy_rate:` is.
-                let label: Vec<_> = tokens[..length].iter().map(|token| token.text).collect();
-                Said::of_label(words).filter(|_| other_than_rotation(&label.join(" ")).is_none())
+                let is_rotation = || {
+                    let label: Vec<_> = tokens[..length].iter().map(|token| token.text).collect();
+                    other_than_rotation(&label.join(" ")).is_none()
+                };
+                Said::of_label(words).filter(|_| !cfg!(feature = "whole") || is_rotation())
             }
             said => said,
         }?;

@@ -60,7 +60,8 @@ const good = {
   }),
   numbers: () => ({
     view: "numbers",
-    numbers: "30 20 10",
+    // Of names, beside which there need be no attitude.
+    numbers: "(w, -x, -y, -z)",
     quaternion: "0.8 0 0 0.6",
     convention: { ...HAMILTON },
     matrix: { function: "passive", direction: "body-to-world" },

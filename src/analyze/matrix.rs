@@ -19,6 +19,10 @@ use nalgebra::{Matrix3, Vector3};
 /// decimals are off by 0.015 at most.
 const LARGEST_CORRECTION: f64 = 0.1;
 
+/// Columns of any length that are this near to those of a rotation, each divided by its own, were scaled; the
+/// lengths of noisy ones differ too.
+const LARGEST_CORRECTION_OF_COLUMNS: f64 = 0.02;
+
 /// Farther away than this the nearest rotation has little to do with the matrix: two rotations are as
 /// far apart that differ by 41°.
 const LARGEST_CORRECTION_OFFERED: f64 = 1.0;
@@ -37,17 +41,22 @@ pub(crate) fn of_matrix(
         convention,
     };
     let typed = tagged(entries);
-    let is_near = |entries| {
+    let is_within = |entries, correction| {
         Rotation::nearest_to_matrix(&tagged(entries))
-            .is_ok_and(|nearest| nearest.correction <= LARGEST_CORRECTION)
+            .is_ok_and(|nearest| nearest.correction <= correction)
     };
+    let is_near = |entries| is_within(entries, LARGEST_CORRECTION);
     // Divided by a power of two, so that no length overflows or vanishes.
     let exponent = working_scale(entries.as_slice());
     let scaled = entries.map(|entry| times_power_of_two(entry, exponent));
     let scaled_lengths = [0, 1, 2].map(|column| scaled.column(column).norm());
     let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
+    let scaled_by = scaled_lengths.iter().sum::<f64>() / 3.0;
+    let unscaled = scaled / scaled_by;
+    let scale = times_power_of_two(scaled_by, -exponent);
     let nearest = Rotation::nearest_to_matrix(&typed).map_err(|reason| match reason {
-        NoNearestRotation::Reflection if is_near(-entries) => reflection(entries, span),
+        NoNearestRotation::Reflection if is_near(-entries) => reflection(entries, 1.0, span),
+        NoNearestRotation::Reflection if is_near(-unscaled) => reflection(unscaled, scale, span),
         NoNearestRotation::Reflection => Fault::not_a_rotation(span, lengths, None),
         NoNearestRotation::NotFinite => Fault::too_large(span),
         NoNearestRotation::Singular if entries.amax() == 0.0 => Fault::zero_matrix(span)
@@ -55,12 +64,16 @@ pub(crate) fn of_matrix(
         NoNearestRotation::Singular => Fault::singular_matrix(span),
     })?;
     if nearest.correction > LARGEST_CORRECTION {
-        let scale = scaled_lengths.iter().sum::<f64>() / 3.0;
-        let is_scaled = is_near(scaled / scale);
+        let columns = Matrix3::from_fn(|row, at| scaled[(row, at)] / scaled_lengths[at]);
+        let is_scaled = is_near(unscaled);
+        let are_columns_scaled = is_within(columns, LARGEST_CORRECTION_OF_COLUMNS);
         let rotation = nearest.rotation.to_tagged_matrix(convention).entries;
-        let is_offered = is_scaled || nearest.correction <= LARGEST_CORRECTION_OFFERED;
+        let is_near_enough = nearest.correction <= LARGEST_CORRECTION_OFFERED;
+        let is_offered = is_scaled || are_columns_scaled || is_near_enough;
         let fault = if is_scaled {
-            Fault::scaled_rotation(span, times_power_of_two(scale, -exponent))
+            Fault::scaled_rotation(span, scale)
+        } else if are_columns_scaled {
+            Fault::scaled_columns(span, lengths)
         } else {
             Fault::not_a_rotation(span, lengths, Some(nearest.correction))
         };
@@ -87,7 +100,7 @@ fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Suggestion {
 /// Turning round any one axis, or all three, makes a rotation of a mirror image; only where one
 /// stands against itself does the matrix alone tell which of them it was. Rows and columns leave the
 /// same angle, which the trace tells.
-fn reflection(entries: Matrix3<f64>, span: Span) -> Fault {
+fn reflection(entries: Matrix3<f64>, scale: f64, span: Span) -> Fault {
     let trace = entries.trace();
     let flips = [0, 1, 2].map(|axis| (Some(axis), trace - 2.0 * entries[(axis, axis)]));
     let (axis, _) =
@@ -111,5 +124,6 @@ fn reflection(entries: Matrix3<f64>, span: Span) -> Fault {
             (mirror, restored)
         }
     };
-    Fault::reflection(span, mirror).suggesting(|_| Some(suggested(Remedy::RestoreAxis, &restored)))
+    Fault::reflection(span, mirror, scale)
+        .suggesting(|_| Some(suggested(Remedy::RestoreAxis, &restored)))
 }

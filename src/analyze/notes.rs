@@ -4,9 +4,9 @@ use crate::analyze::attitude::Attitude;
 use crate::analyze::describe::{HALF_TURN_SCALAR, is_half_turn};
 use crate::analyze::plain_numbers::plain;
 use crate::contract::{
-    AxesAsColumns, ColumnsFromText, Fact, FarFromUnit, Form, NearlyHalfTurn, NearlyNoTurn,
-    Normalised, Note, OrderAssumed, OrderFromText, RotationAssumed, RowsAssumed,
-    UnknownConstructor, UsedNearestRotation,
+    AxesAsColumns, Fact, FarFromUnit, Form, NearlyHalfTurn, NearlyNoTurn, Normalised, Note,
+    OrderAssumed, OrderFromText, RotationAssumed, RowsAssumed, UnknownConstructor,
+    UsedNearestRotation,
 };
 use crate::convention::Convention;
 use crate::convention::order::OrderSource;

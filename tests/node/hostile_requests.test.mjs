@@ -60,7 +60,8 @@ const good = {
   }),
   numbers: () => ({
     view: "numbers",
-    numbers: "30 20 10",
+    // Of names, beside which there need be no attitude.
+    numbers: "(w, -x, -y, -z)",
     quaternion: "0.8 0 0 0.6",
     convention: { ...HAMILTON },
     matrix: { function: "passive", direction: "body-to-world" },
@@ -179,12 +180,15 @@ test("a value of another type is named at every member", () => {
 test("a member that is missing is named, unless it may be", () => {
   const optional =
     /^(matrix|euler|worldAxes|bodyAxes|order|direction|name|language|unavailable|layout)$/;
+  const optionalIn = { numbers: /^quaternion$/, matrices: /^(?!view$)/ };
   for (const view of views) {
     for (const [at, { object, path }] of [...objectsIn(good[view]())].entries()) {
       for (const name of Array.isArray(object) ? [] : Object.keys(object)) {
         const request = good[view]();
         delete [...objectsIn(request)][at].object[name];
-        const isOptional = optional.test(name) && !/convention$|^matrix$|^euler$/.test(path);
+        const isOptional =
+          optionalIn[view]?.test(name) ||
+          (optional.test(name) && !/convention$|^matrix$|^euler$/.test(path));
         if (isOptional && !(name === "matrix" && path !== "")) {
           assert.equal(analyze(request).status, view, `${view} ${path} ${name}`);
         } else {

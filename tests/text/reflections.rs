@@ -129,7 +129,7 @@ fn the_nearest_rotation_is_offered_with_its_distance_and_read_as_declared() {
     let found = problem(text);
     assert_eq!(found.code, ProblemCode::NotARotation);
     assert!(
-        found.message.contains("0.5 away from the nearest rotation"),
+        found.message.contains("a rotation times 1, 1 and 1.5"),
         "{}",
         found.message
     );

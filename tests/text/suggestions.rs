@@ -287,15 +287,30 @@ fn no_zero_of_a_suggestion_has_a_sign() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn the_nearest_rotation_is_offered_up_to_a_distance_of_1() {
-    // Stretched along z, the nearest rotation is as far away as the last number is from 1.
-    let stretched = |entry: &str| format!("0 -1 0\n1 0 0\n0 0 {entry}");
-    for near in ["1.2", "1.99", "2", "0.02"] {
-        let offered = problem(Field::Quaternion, &stretched(near)).suggestion;
+    // Sheared alike in y and z, the nearest rotation is the identity, √2 times the number away.
+    let sheared = |entry: &str| format!("1 0 0\n0 1 {entry}\n0 {entry} 1");
+    for near in ["0.2", "0.7", "0.7071"] {
+        let offered = problem(Field::Quaternion, &sheared(near)).suggestion;
         let offered = offered.map(|suggestion| suggestion.remedy);
         assert_eq!(offered, Some(Remedy::NearestRotation), "{near}");
     }
-    for far in ["2.01", "3", "3.9"] {
-        check_none_offered(Field::Quaternion, &[&stretched(far)]);
+    for far in ["0.7072", "0.9"] {
+        check_none_offered(Field::Quaternion, &[&sheared(far)]);
+    }
+}
+
+/// However far the nearest rotation is: columns that are those of a rotation, each times a length, are no noise.
+#[wasm_bindgen_test(unsupported = test)]
+fn columns_of_other_lengths_are_divided_by_them() {
+    for stretched in ["0 -1 0\n1 0 0\n0 0 2.01", "0 -7 0\n0.02 0 0\n0 0 3"] {
+        let found = problem(Field::Quaternion, stretched);
+        assert!(
+            found.message.contains("those of a rotation times"),
+            "{}",
+            found.message
+        );
+        let suggestion = found.suggestion.expect("a suggestion");
+        assert_eq!(suggestion.text, "0 -1 0\n1 0 0\n0 0 1");
     }
 }
 

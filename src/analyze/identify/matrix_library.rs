@@ -75,6 +75,9 @@ fn increment(
     let (Some(before), Some(after), Some(operator)) = (before, after, operator) else {
         return Ok(None);
     };
+    if request.rotation_vector.is_empty() {
+        return Ok(None);
+    }
     let turn = vector_of(&request.rotation_vector);
     let turn = turn.map_err(|fault| fault.in_field(Field::RotationVector))?;
     Ok(attitude(before, operator)

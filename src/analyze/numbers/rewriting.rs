@@ -31,76 +31,53 @@ pub(crate) fn of_names(text: &str, convention: Convention) -> Option<Renamed> {
     Some(Renamed::of_quaternion(orders, &any, convention))
 }
 
-/// The numbers of [`ANY`] in the order and with the signs of the names.
+/// The numbers of [`ANY`] in the order and with the signs of the names: `-q2`, `q[1]`, `q.x`, `z`.
 fn rewritten(text: &str, order: ComponentOrder) -> Option<[f64; 4]> {
     if is_too_long(text) {
         return None;
     }
     let inside = text.rsplit(['=', '(']).next()?;
-    let plain = inside.replace('\u{2212}', "-").replace("- ", "-");
-    let marks: &[char] = if plain.contains(',') {
-        &[',']
-    } else {
-        &[' ', ';']
-    };
-    let mut names = Vec::new();
-    for part in plain.split(marks) {
-        if !part.trim().is_empty() {
-            names.push(Name::of(part)?);
-        }
-    }
-    let names: [Name; 4] = names.try_into().ok()?;
-    let first = if names.iter().any(|name| name.letter == b'0') {
-        b'0'
-    } else {
-        b'1'
-    };
-    let letters = order.array([b'w', b'x', b'y', b'z']);
+    let first = if inside.contains('0') { b'0' } else { b'1' };
     let mut rewritten = [0.0; 4];
     let mut left = ANY;
-    for (number, name) in rewritten.iter_mut().zip(names) {
-        let place = if name.letter.is_ascii_digit() {
-            usize::from(name.letter.checked_sub(first)?)
-        } else {
-            letters.iter().position(|letter| *letter == name.letter)?
-        };
-        let size = std::mem::take(left.get_mut(place)?);
-        if size == 0.0 {
-            // It is named twice.
-            return None;
-        }
-        *number = name.sign * size;
-    }
-    Some(rewritten)
-}
-
-/// The name of a component with its sign: `-q2`, `q[1]`, `q.x`, `z`.
-#[derive(Clone, Copy)]
-struct Name {
-    sign: f64,
-    /// The small letter of a component, or a digit.
-    letter: u8,
-}
-
-impl Name {
-    fn of(text: &str) -> Option<Self> {
-        let mut letters = Vec::new();
-        let mut sign = 1.0;
-        for byte in text.bytes() {
-            if byte == b'-' {
-                sign = -1.0;
-            } else if byte.is_ascii_alphanumeric() {
-                letters.push(byte.to_ascii_lowercase());
-            } else if !byte.is_ascii() {
-                return None;
+    let mut count = 0;
+    let mut name = Vec::new();
+    let mut sign = 1.0;
+    // With a mark at the end of the last name too.
+    for character in inside.chars().chain([',']) {
+        match character {
+            '-' | '\u{2212}' if name.is_empty() => sign = -sign,
+            '[' | ']' | '{' | '}' | ')' | '.' | '_' => {}
+            ',' | ';' | ' ' | '\t' | '\n' => {
+                if name.is_empty() {
+                    continue;
+                }
+                let size = std::mem::take(left.get_mut(place(&name, first, order)?)?);
+                // A name that stands twice has left nothing.
+                if size == 0.0 {
+                    return None;
+                }
+                *rewritten.get_mut(count)? = sign * size;
+                count += 1;
+                name.clear();
+                sign = 1.0;
             }
+            _ => name.push(u8::try_from(character).ok()?.to_ascii_lowercase()),
         }
-        let letter = letters.pop()?;
-        let is_name = match letter {
-            b'w'..=b'z' => matches!(&letters[..], b"" | b"q" | b"quat"),
-            b'0'..=b'4' => matches!(&letters[..], b"q" | b"quat"),
-            _ => false,
-        };
-        is_name.then_some(Self { sign, letter })
     }
+    (count == 4).then_some(rewritten)
+}
+
+/// The place of a component in an array of this order, by the letters and digits of its name.
+fn place(name: &[u8], first: u8, order: ComponentOrder) -> Option<usize> {
+    let (&last, before) = name.split_last()?;
+    let is_number = last.is_ascii_digit();
+    if !matches!(before, b"q" | b"quat") && (is_number || !before.is_empty()) {
+        return None;
+    }
+    if is_number {
+        return last.checked_sub(first).map(usize::from);
+    }
+    let letters = order.array([b'w', b'x', b'y', b'z']);
+    letters.iter().position(|letter| *letter == last)
 }

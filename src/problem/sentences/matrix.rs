@@ -84,7 +84,8 @@ impl Fault {
         })
     }
 
-    pub(crate) fn reflection(span: Span, mirror: Mirror) -> Self {
+    /// The scale is 1 where the matrix has none.
+    pub(crate) fn reflection(span: Span, mirror: Mirror, scale: f64) -> Self {
         Self::told(ProblemCode::Reflection, span, || {
             let (what, hint) = match mirror {
                 Mirror::All => (
@@ -100,8 +101,12 @@ impl Fault {
                     format!("change the sign of the {} column", ORDINALS[axis]),
                 ),
             };
+            let times = match short(scale).as_str() {
+                "1" => String::new(),
+                times => format!(" times {times}"),
+            };
             Words::new(
-                format!("this matrix is a reflection, not a rotation: {what}"),
+                format!("this matrix is a reflection{times}, not a rotation: {what}"),
                 "a determinant of +1",
                 format!("{hint}, or check for left-handed axes"),
             )
@@ -124,6 +129,19 @@ impl Fault {
                 format!("this is a rotation matrix times {}", short(scale)),
                 "columns of length 1",
                 format!("divide all nine numbers by {}", short(scale)),
+            )
+        })
+    }
+
+    pub(crate) fn scaled_columns(span: Span, lengths: [f64; 3]) -> Self {
+        Self::told(ProblemCode::NotARotation, span, || {
+            let [x, y, z] = lengths.map(short);
+            Words::new(
+                format!(
+                    "the columns of this matrix are those of a rotation times {x}, {y} and {z}"
+                ),
+                "columns of length 1",
+                format!("divide the columns by {x}, {y} and {z}"),
             )
         })
     }

@@ -94,7 +94,8 @@ impl Attitude {
             return match (found, plain) {
                 // What names the word knows its place better.
                 (Err(found), Err(plain))
-                    if found.code == plain.code && plain.code == ProblemCode::UnknownWord =>
+                    if found.code == ProblemCode::UnknownWord
+                        && (plain.code == found.code || !text.trim().contains('\n')) =>
                 {
                     Err(plain)
                 }
@@ -298,7 +299,7 @@ fn is_record(text: &str, plain: &Result<Attitude, Fault>) -> bool {
     match plain {
         Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
         Err(fault) => {
-            !is_too_long(text) && !(fault.code == ProblemCode::EmptyText && text.trim().is_empty())
+            !(is_too_long(text) || fault.code == ProblemCode::EmptyText && text.trim().is_empty())
         }
     }
 }

@@ -121,6 +121,7 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
         let has_unit = Meaning::of(&group.path).unit.is_some();
         group.numbers.len() == 3
             && !has_unit
+            && (!group.is_of_call || is_openscad())
             && (role(&group.path) == Some(Role::Axis) || is_openscad())
     });
     let named_axis = || {

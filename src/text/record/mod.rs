@@ -172,6 +172,9 @@ pub(crate) fn record(
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);
+    settings.is_doubtful |= numbers.clone().any(|number| {
+        ["order", "layout", "sequence"].contains(&number.name.as_str()) && number.value >= 100.0
+    });
     for number in numbers.filter(|number| number.name == "degrees") {
         settings.unit = Some(if number.value == 1.0 {
             AngleUnit::Degrees

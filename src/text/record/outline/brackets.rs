@@ -41,7 +41,15 @@ impl<'t> Builder<'t> {
             && only.key.is_empty()
             && between.trim_start_matches([' ', ')']).is_empty()
             && between.starts_with(')');
-        is_before.then_some(if last.is_call { count } else { f64::NAN })
+        let name = last.key.to_ascii_lowercase();
+        let is_list = ["array", "tensor", "list"]
+            .iter()
+            .any(|list| name.contains(list));
+        is_before.then_some(if last.is_call && is_list {
+            count
+        } else {
+            f64::NAN
+        })
     }
 
     pub(crate) fn close(&mut self) {

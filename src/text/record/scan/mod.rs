@@ -144,6 +144,12 @@ impl<'t> Scanner<'t> {
             .or_else(|| inside.strip_prefix("-\t"))
         {
             let own = item.trim_start_matches([' ', '\t']);
+            // Before several numbers a dash may be a sign.
+            let mut line = own.lines().next().unwrap_or("").split_whitespace();
+            let is_number = |word: &str| word.starts_with(|first: char| first.is_ascii_digit());
+            if line.next().is_some_and(is_number) && line.next().is_some_and(is_number) {
+                break;
+            }
             indent += inside.len() - own.len();
             inside = own;
         }
@@ -284,7 +290,11 @@ impl<'t> Scanner<'t> {
                 self.push(Mark::Operator, 1);
             }
             // A line that is drawn may be a minus.
-            '─' | '━' | '—' | '‒' | '―' if second.is_ascii_digit() || second == '.' => {
+            '\u{2500}'..='\u{257f}' | '—' | '‒' | '―'
+                if second.is_ascii_digit()
+                    || second == '.'
+                    || self.is_between_numbers(first.len_utf8()) =>
+            {
                 self.push(Mark::Operator, first.len_utf8());
             }
             '…' => self.push(Mark::Operator, first.len_utf8()),
@@ -314,8 +324,23 @@ impl<'t> Scanner<'t> {
                 self.push(Mark::Operator, 1);
             }
             _ if first.is_alphabetic() || first == '_' => self.word(),
+            // What is not known between two digits, such as what is not seen.
+            _ if !first.is_ascii()
+                && second.is_ascii_digit()
+                && matches!(self.touching(), Some(Mark::Number(_))) =>
+            {
+                self.push(Mark::Operator, first.len_utf8());
+            }
             _ => self.at += first.len_utf8(),
         }
+    }
+
+    /// Whether a number stands before this place, and one behind so many bytes in the same line.
+    fn is_between_numbers(&self, length: usize) -> bool {
+        let last = self.tokens.last().map(|last| last.mark);
+        let after = self.rest()[length..].trim_start_matches(' ');
+        matches!(last, Some(Mark::Number(_)))
+            && after.starts_with(|first: char| first.is_ascii_digit() || first == '.')
     }
 
     /// A bar divides two things of a line; at its ends it is the frame of a matrix.

@@ -129,9 +129,14 @@ impl<'t> Scanner<'t> {
                         .starts_with(['"', '\'']));
         if is_tag {
             self.push(Mark::TagOpen, 1 + length);
-        } else if rest.starts_with("<<") {
+        } else if rest.starts_with("<<")
+            && matches!(
+                self.tokens.last().map(|last| last.mark),
+                Some(Mark::Word | Mark::Close)
+            )
+        {
             self.push(Mark::Label, 2);
-        } else if rest[1..].trim_start_matches(' ').starts_with('<') {
+        } else if rest[1..].trim_start_matches(' ').starts_with('<') || rest.starts_with("<<") {
             self.push(Mark::Operator, 1);
         } else {
             self.at += 1;

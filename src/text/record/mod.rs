@@ -118,6 +118,9 @@ pub(crate) struct Record {
     pub(crate) head: Option<Span>,
 }
 
+/// How many rotations of a text are looked at; which of so many is meant has to be asked in any case.
+const MOST_ROTATIONS: usize = 64;
+
 /// What is declared of a text.
 #[derive(Clone, Copy)]
 pub(crate) struct DeclaredFormat<'d> {
@@ -194,7 +197,11 @@ pub(crate) fn record(
     let is_doubtful = settings.is_doubtful
         || is_one_line
             && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
-    let rotations: Vec<RecordRotation> = all.iter().filter_map(rotation).collect();
+    let rotations: Vec<RecordRotation> = all
+        .iter()
+        .filter_map(rotation)
+        .take(MOST_ROTATIONS)
+        .collect();
     let rotations = if is_doubtful { Vec::new() } else { rotations };
     let beside = all.iter().filter_map(beside).collect();
     Record {

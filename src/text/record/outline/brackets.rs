@@ -18,7 +18,7 @@ impl<'t> Builder<'t> {
         member.is_computed = std::mem::take(&mut self.is_computed);
         member.follows_bar = std::mem::take(&mut self.follows_bar);
         let count = self.count_before(token.span.start);
-        self.open.push(Open {
+        self.push(Open {
             opened,
             member,
             count,
@@ -84,6 +84,11 @@ impl<'t> Builder<'t> {
     }
 
     pub(crate) fn close_bracket(&mut self) {
+        if self.too_deep > 0 {
+            self.too_deep -= 1;
+            self.flush();
+            return;
+        }
         let Some(at) = self
             .open
             .iter()

@@ -162,14 +162,13 @@ impl<'t> Scanner<'t> {
             self.at += prompt;
         }
         // The name stands before the middle row: `R = | 1 0 0 |`, as PCL prints it.
-        if let Some(frame) = self
-            .rest()
-            .find(['|', '⎢', '⎜'])
-            .filter(|_| self.follows_frame(rest))
-        {
-            let before = &self.rest()[..frame];
-            if before.trim_end().ends_with('=') && !before.contains(['\n', '.', ',']) {
-                self.at += frame;
+        if self.follows_frame(rest) {
+            let line = self.rest().lines().next().unwrap_or("");
+            if let Some(frame) = line.find(['|', '⎢', '⎜']) {
+                let before = &line[..frame];
+                if before.trim_end().ends_with('=') && !before.contains(['.', ',']) {
+                    self.at += frame;
+                }
             }
         }
         // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
@@ -191,7 +190,7 @@ impl<'t> Scanner<'t> {
             if run[rule..]
                 .trim_start_matches([' ', '\t', '\r'])
                 .starts_with('\n')
-                || run[rule..].trim().is_empty()
+                || run[rule..].trim_start().is_empty()
             {
                 self.push(Mark::Bar, rule);
             }
@@ -201,7 +200,7 @@ impl<'t> Scanner<'t> {
     /// Whether the line before this one begins with the frame of a matrix.
     fn follows_frame(&self, line: &str) -> bool {
         let start = self.text.len() - line.len();
-        let before = self.text[..start].trim_end_matches('\n');
+        let before = self.text[..start].strip_suffix('\n').unwrap_or("");
         let before = &before[before.rfind('\n').map_or(0, |at| at + 1)..];
         before.trim_start().starts_with(['|', '⎡', '⎛', '⎢', '⎜'])
     }
@@ -230,8 +229,10 @@ impl<'t> Scanner<'t> {
             }
             // The colours of a terminal: `ESC[0;34m`.
             '\u{1b}' => {
-                let end = rest.find(|mark: char| mark.is_alphabetic());
-                self.at += end.map_or(1, |end| end + 1);
+                let code = rest.bytes().take(16);
+                let end = code.take_while(|byte| !byte.is_ascii_alphabetic()).count();
+                let end = if end < 16 && end < rest.len() { end } else { 0 };
+                self.at += end + 1;
             }
             '*' if is_checksum(rest) => self.at += 3,
             // The type of a value of Maya: `setAttr ".r" -type "double3" 1 2 3`.
@@ -348,7 +349,7 @@ impl<'t> Scanner<'t> {
         let is_frame = self.rest()[1..]
             .trim_start_matches([' ', '\t', '\r'])
             .starts_with('\n')
-            || self.rest()[1..].trim().is_empty()
+            || self.rest()[1..].trim_start().is_empty()
             || matches!(
                 self.tokens.last(),
                 Some(Token {

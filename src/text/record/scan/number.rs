@@ -12,8 +12,8 @@ impl<'t> Scanner<'t> {
         let is_digit =
             |text: &str| text.starts_with(|first: char| first.is_ascii_digit() || first == '.');
         if after.starts_with("->") || after.starts_with('>') {
-            let dashes = rest.len() - rest.trim_start_matches('-').len();
-            self.push(Mark::Label, dashes + 1);
+            let dashes = after.len() - after.trim_start_matches('-').len();
+            self.push(Mark::Label, length + dashes + 1);
             return;
         }
         let is_uncertainty = !is_digit(rest.get(2..).unwrap_or(""))
@@ -31,7 +31,11 @@ impl<'t> Scanner<'t> {
             self.push(Mark::Operator, dashes);
             return;
         }
-        let flag = rest.trim_start_matches('-');
+        let flag = &rest[dashes..];
+        if dashes > 2 && !flag.starts_with(|first: char| first.is_alphabetic()) {
+            self.at += dashes;
+            return;
+        }
         if flag.starts_with(|first: char| first.is_alphabetic())
             && !matches!(
                 self.touching(),

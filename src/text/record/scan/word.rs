@@ -106,7 +106,12 @@ impl<'t> Scanner<'t> {
     pub(crate) fn angle(&mut self) {
         let rest = self.rest();
         if let Some(closing) = rest.strip_prefix("</") {
-            let length = closing.find('>').map_or(closing.len(), |at| at + 1);
+            let is_name = |byte: &u8| *byte != b'>' && *byte != b'\n';
+            let name = closing.bytes().take(80).take_while(is_name).count();
+            let closes = closing
+                .get(name..)
+                .is_some_and(|rest| rest.starts_with('>'));
+            let length = if closes { name + 1 } else { 0 };
             self.push(Mark::TagClose, 2 + length);
             return;
         }

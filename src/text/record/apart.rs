@@ -9,33 +9,41 @@ use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, made, quaternion};
 use crate::text::record::quantity::Group;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Three numbers without a name in the brackets that hold four numbers of a quaternion: `((x, y, z), (…))`.
 pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> {
-    let is_quaternion = |group: &Group<'_>| {
-        found.iter().any(|found| {
-            found.span == group.span
-                && matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_)))
-        })
+    let spans = |wanted: fn(&Made) -> bool| -> BTreeSet<(usize, usize)> {
+        found
+            .iter()
+            .filter(|found| wanted(&found.made))
+            .map(|found| (found.span.start, found.span.end))
+            .collect()
     };
-    let threes = |scope: usize| {
-        quantities.groups.iter().filter(move |group| {
-            let is_bare = group.path.last().is_none_or(|key| key.is_empty());
-            group.scope == scope && group.numbers.len() == 3 && is_bare
-        })
+    let quaternions = spans(|made| matches!(made, Made::Rotation(ParsedRotation::Quaternion(_))));
+    let told = spans(|made| !matches!(made, Made::Nothing));
+    let is_in = |spans: &BTreeSet<(usize, usize)>, group: &Group<'_>| {
+        spans.contains(&(group.span.start, group.span.end))
     };
+    // The three numbers without a name of each scope; `None` where there are several.
+    let mut threes: BTreeMap<usize, Option<&Group<'_>>> = BTreeMap::new();
+    for group in &quantities.groups {
+        let is_bare = group.path.last().is_none_or(|key| key.is_empty());
+        if group.numbers.len() == 3 && is_bare {
+            threes
+                .entry(group.scope)
+                .and_modify(|only| *only = None)
+                .or_insert(Some(group));
+        }
+    }
     quantities
         .groups
         .iter()
-        .filter(|group| is_quaternion(group))
+        .filter(|group| is_in(&quaternions, group))
         .filter_map(|quaternion| {
-            let mut threes = threes(quaternion.scope);
-            let only = threes.next().filter(|_| threes.next().is_none())?;
-            let is_told = found
-                .iter()
-                .any(|found| found.span == only.span && !matches!(found.made, Made::Nothing));
+            let only = threes.get(&quaternion.scope).copied().flatten()?;
             let numbers = <[f64; 3]>::try_from(&only.numbers[..]).ok()?;
-            (!is_told).then(|| Found {
+            (!is_in(&told, only)).then(|| Found {
                 made: Made::Position(numbers),
                 label: String::new(),
                 span: only.span,
@@ -121,6 +129,7 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
         let has_unit = Meaning::of(&group.path).unit.is_some();
         group.numbers.len() == 3
             && !has_unit
+            && (!group.is_of_call || is_openscad())
             && (role(&group.path) == Some(Role::Axis) || is_openscad())
     });
     let named_axis = || {

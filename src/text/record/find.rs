@@ -41,10 +41,12 @@ pub(crate) fn found(
     all.extend(vector_then_angle(quantities, context, &fields));
     let turns = turns(quantities, context);
     // What several turns make is one rotation.
+    let mut spans: Vec<Span> = turns.iter().map(|turn| turn.span).collect();
+    spans.sort_by_key(|span| span.start);
     all.retain(|found| {
-        let inside =
-            |turn: &Found| turn.span.start <= found.span.start && found.span.end <= turn.span.end;
-        !turns.iter().any(inside)
+        let after = spans.partition_point(|span| span.start <= found.span.start);
+        let before = after.checked_sub(1).map(|at| spans[at]);
+        !before.is_some_and(|span| found.span.end <= span.end)
     });
     all.extend(turns);
     all.sort_by_key(|found| found.span.start);

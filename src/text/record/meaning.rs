@@ -165,6 +165,13 @@ impl Meaning {
         self.by_columns |= words
             .iter()
             .any(|word| matches!(word.as_str(), "column" | "columns" | "columnmajor"));
+        let has = |order: &str| joined.contains(order);
+        let tells_both = has("xyzw") && joined.replacen("xyzw", " ", 1).contains("wxyz");
+        // spatialmath says in which order it turns: `rpy/zyx`.
+        if tells_both || has_two_descriptions(&words) && !key.contains("rpy/zyx") {
+            self.role = Some(Role::Rate);
+            return;
+        }
         let derived = meanings_of(key)
             .iter()
             .any(|word| matches!(word, LabelWord::Derived(_)))
@@ -258,6 +265,17 @@ fn without_arguments(key: &str) -> &str {
         }
         _ => key,
     }
+}
+
+/// `ZYX rotvec`, `intrinsic rpy`: each word says something else of the numbers.
+fn has_two_descriptions(words: &[String]) -> bool {
+    let is = |names: &[&str]| words.iter().any(|word| names.contains(&word.as_str()));
+    let is_sequence =
+        |word: &String| word != "xyz" && word.len() == 3 && word.parse::<EulerSequence>().is_ok();
+    let tells_sequence = words.iter().any(is_sequence);
+    let is_named = is(&["rpy", "ypr", "rotvec", "rvec", "axisangle"]);
+    let is_framed = is(&["intrinsic", "extrinsic"]);
+    is_named && (tells_sequence || is_framed)
 }
 
 /// Whether a call may make something else of its numbers: a verb that is not known, as in `flip(…)`.

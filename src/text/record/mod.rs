@@ -120,6 +120,9 @@ pub(crate) struct Record {
     pub(crate) head: Option<Span>,
 }
 
+/// How many rotations of a text are looked at; which of so many is meant has to be asked in any case.
+const MOST_ROTATIONS: usize = 64;
+
 /// What is declared of a text.
 #[derive(Clone, Copy)]
 pub(crate) struct DeclaredFormat<'d> {
@@ -174,6 +177,9 @@ pub(crate) fn record_of(
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);
+    settings.is_doubtful |= numbers.clone().any(|number| {
+        ["order", "layout", "sequence"].contains(&number.name.as_str()) && number.value >= 100.0
+    });
     for number in numbers.filter(|number| number.name == "degrees") {
         settings.unit = Some(if number.value == 1.0 {
             AngleUnit::Degrees
@@ -197,7 +203,11 @@ pub(crate) fn record_of(
     let is_doubtful = settings.is_doubtful
         || is_one_line
             && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
-    let rotations: Vec<RecordRotation> = all.iter().filter_map(rotation).collect();
+    let rotations: Vec<RecordRotation> = all
+        .iter()
+        .filter_map(rotation)
+        .take(MOST_ROTATIONS)
+        .collect();
     let rotations = if is_doubtful { Vec::new() } else { rotations };
     let beside = all.iter().filter_map(beside).collect();
     Record {

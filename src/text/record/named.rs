@@ -46,6 +46,9 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
 /// How many names a name may stand behind those that it belongs to.
 const NEAR: usize = 8;
 
+/// How many names stand together at most.
+const MOST_NAMES: usize = 64;
+
 /// `Position: X 1 Y 2`: only the first is told; `Acc X: 1, Acc Y: 2, q0: 0.5`: the third is not of it.
 fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -> bool {
     let is_new = named.members.iter().all(|own| own.name != member.name);
@@ -57,7 +60,7 @@ fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -
         })
     };
     let tells_first_only = stem.is_empty() && !named.others_have_stem && is_last && follows();
-    is_new && (stem == named.stem || tells_first_only)
+    named.members.len() < MOST_NAMES && is_new && (stem == named.stem || tells_first_only)
 }
 
 /// Names that are told one after the other.

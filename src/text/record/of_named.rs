@@ -6,6 +6,7 @@ use crate::problem::Span;
 use crate::text::record::format::{Field, Part};
 use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::meaning::{Meaning, Role};
+use crate::text::record::names::words_of;
 use crate::text::record::parts::made;
 use crate::text::record::quantity::Named;
 
@@ -53,6 +54,16 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
             [Part::Position] if !is_of_vector(&meaning) => continue,
             parts => parts,
         };
+        // `euler_123 = {roll: …}`: names that cannot have this sequence.
+        let has_sequence = || {
+            let words = path.iter().flat_map(|key| words_of(key));
+            words
+                .filter(|word| word != "xyz")
+                .any(|word| is_sequence(&word))
+        };
+        if matches!(parts, [Part::Euler(_)]) && format.is_none() && has_sequence() {
+            continue;
+        }
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
         let mut said = context.said(&meaning);
         let unit = members.iter().find_map(|member| member.unit);

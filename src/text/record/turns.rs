@@ -99,10 +99,9 @@ fn of_product(group: &Group<'_>, quantities: &Quantities<'_>) -> Option<Turn> {
     if !group.path.iter().any(|key| key.contains("AngleAxis")) {
         return None;
     }
-    let next = quantities
-        .values
-        .iter()
-        .find(|value| value.span.start >= group.span.end)?;
+    let values = &quantities.values;
+    let next = values.partition_point(|value| value.span.start < group.span.end);
+    let next = values.get(next)?;
     let axis = next.text.split_once("Unit")?.1.chars().next()?;
     Some(Turn {
         axis: axis.to_ascii_lowercase(),

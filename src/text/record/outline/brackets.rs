@@ -18,7 +18,7 @@ impl<'t> Builder<'t> {
         member.is_computed = std::mem::take(&mut self.is_computed);
         member.follows_bar = std::mem::take(&mut self.follows_bar);
         let count = self.count_before(token.span.start);
-        self.open.push(Open {
+        self.push(Open {
             opened,
             member,
             count,
@@ -41,7 +41,15 @@ impl<'t> Builder<'t> {
             && only.key.is_empty()
             && between.trim_start_matches([' ', ')']).is_empty()
             && between.starts_with(')');
-        is_before.then_some(if last.is_call { count } else { f64::NAN })
+        let name = last.key.to_ascii_lowercase();
+        let is_list = ["array", "tensor", "list"]
+            .iter()
+            .any(|list| name.contains(list));
+        is_before.then_some(if last.is_call && is_list {
+            count
+        } else {
+            f64::NAN
+        })
     }
 
     pub(crate) fn close(&mut self) {
@@ -76,6 +84,11 @@ impl<'t> Builder<'t> {
     }
 
     pub(crate) fn close_bracket(&mut self) {
+        if self.too_deep > 0 {
+            self.too_deep -= 1;
+            self.flush();
+            return;
+        }
         let Some(at) = self
             .open
             .iter()

@@ -21,7 +21,7 @@ impl<'t> Builder<'t> {
             let length = self.text[start..].find('\n').unwrap_or(0);
             let key = self.text[start..start + length].trim();
             let member = scope(key, "", self.span_of(key), self.row);
-            self.open.push(Open {
+            self.push(Open {
                 opened: Opened::Typed,
                 member,
                 count: None,
@@ -43,7 +43,7 @@ impl<'t> Builder<'t> {
             let takes_same = indent <= own;
             self.leave(own, true);
             let member = scope(key, "", self.span_of(key), self.row);
-            self.open.push(Open {
+            self.push(Open {
                 opened: Opened::Heading {
                     indent: own,
                     takes_same,

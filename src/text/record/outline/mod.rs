@@ -61,6 +61,12 @@ enum Opened {
     Typed,
 }
 
+/// How many scopes may stand inside each other.
+const DEEPEST: usize = 48;
+
+/// How many bytes of the words before numbers are their name.
+const LONGEST_KEY: usize = 400;
+
 struct Open<'t> {
     opened: Opened,
     member: Member<'t>,
@@ -78,10 +84,13 @@ struct Pending<'t> {
 
 impl<'t> Pending<'t> {
     fn text(words: &[Token<'t>], whole: &'t str) -> &'t str {
-        match (words.first(), words.last()) {
-            (Some(first), Some(last)) => &whole[first.span.start..last.span.end],
-            _ => "",
-        }
+        let Some(last) = words.last() else {
+            return "";
+        };
+        // Of a long text only the last words are the name.
+        let near = |word: &&Token<'_>| last.span.end - word.span.start <= LONGEST_KEY;
+        let first = words.iter().rev().take_while(near).last();
+        first.map_or("", |first| &whole[first.span.start..last.span.end])
     }
 
     fn is_label(&self) -> bool {
@@ -103,6 +112,7 @@ pub(crate) fn outline<'t>(text: &'t str, tokens: &[Token<'t>]) -> Vec<Member<'t>
         is_computed: false,
         follows_bar: false,
         follows_comma: false,
+        too_deep: 0,
         prompt: None,
         factor: None,
     };
@@ -142,6 +152,8 @@ struct Builder<'t> {
     is_computed: bool,
     follows_bar: bool,
     follows_comma: bool,
+    /// How many brackets are open that were too deep.
+    too_deep: usize,
     /// Where a line begins that was typed at a prompt.
     prompt: Option<usize>,
     /// A factor of all the numbers that follow: `1.0e+03 *`.
@@ -203,6 +215,15 @@ impl<'t> Builder<'t> {
         member.follows_bar = std::mem::take(&mut self.follows_bar);
         member.follows_comma = std::mem::take(&mut self.follows_comma);
         self.inside().members.push(member);
+    }
+
+    /// Opens a scope; of those that are too deep the members belong to the one that holds them.
+    fn push(&mut self, open: Open<'t>) {
+        if self.open.len() < DEEPEST {
+            self.open.push(open);
+        } else if open.opened == Opened::Bracket {
+            self.too_deep += 1;
+        }
     }
 
     /// The words before a number or a bracket.

@@ -1,5 +1,8 @@
 //! What the beginning of a text is, by its characters alone.
 
+/// How many bytes a date, an index or a list of types has at most.
+const LONGEST: usize = 80;
+
 /// How many bytes at the start are the index of a member that is labelled: `[0] =`.
 pub(crate) fn index(text: &str) -> usize {
     let length = element(text);
@@ -26,7 +29,7 @@ pub(crate) fn element(text: &str) -> usize {
 
 /// How many bytes at the start are the number of a row or a column as R prints it.
 pub(crate) fn row_label(text: &str) -> usize {
-    let Some(end) = text.find(']') else {
+    let Some(end) = text.bytes().take(LONGEST).position(|byte| byte == b']') else {
         return 0;
     };
     let inside = &text[1..end];
@@ -57,11 +60,11 @@ pub(crate) fn name(text: &str) -> usize {
 /// How many bytes at the start are types in brackets: names alone, and sizes.
 pub(crate) fn types(text: &str) -> usize {
     let close = match text.chars().next() {
-        Some('<') => '>',
-        Some('{') => '}',
+        Some('<') => b'>',
+        Some('{') => b'}',
         _ => return 0,
     };
-    let Some(end) = text.find(close) else {
+    let Some(end) = text.bytes().take(LONGEST).position(|byte| byte == close) else {
         return 0;
     };
     let inside = &text[1..end];
@@ -100,9 +103,8 @@ pub(crate) fn prompt(line: &str) -> usize {
 
 /// How many bytes at the start are a date or a time of day.
 pub(crate) fn time(text: &str) -> Option<usize> {
-    let length = text
-        .find(|mark: char| !(mark.is_ascii_digit() || "-:.TZ/".contains(mark)))
-        .unwrap_or(text.len());
+    let is_part = |byte: &u8| byte.is_ascii_digit() || b"-:.TZ/".contains(byte);
+    let length = text.bytes().take(LONGEST).take_while(is_part).count();
     let written = &text[..length];
     let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     let date = written.split(['T', ' ']).next().unwrap_or("");

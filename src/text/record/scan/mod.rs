@@ -144,6 +144,12 @@ impl<'t> Scanner<'t> {
             .or_else(|| inside.strip_prefix("-\t"))
         {
             let own = item.trim_start_matches([' ', '\t']);
+            // Before several numbers a dash may be a sign.
+            let mut line = own.lines().next().unwrap_or("").split_whitespace();
+            let is_number = |word: &str| word.starts_with(|first: char| first.is_ascii_digit());
+            if line.next().is_some_and(is_number) && line.next().is_some_and(is_number) {
+                break;
+            }
             indent += inside.len() - own.len();
             inside = own;
         }
@@ -156,14 +162,13 @@ impl<'t> Scanner<'t> {
             self.at += prompt;
         }
         // The name stands before the middle row: `R = | 1 0 0 |`, as PCL prints it.
-        if let Some(frame) = self
-            .rest()
-            .find(['|', '⎢', '⎜'])
-            .filter(|_| self.follows_frame(rest))
-        {
-            let before = &self.rest()[..frame];
-            if before.trim_end().ends_with('=') && !before.contains(['\n', '.', ',']) {
-                self.at += frame;
+        if self.follows_frame(rest) {
+            let line = self.rest().lines().next().unwrap_or("");
+            if let Some(frame) = line.find(['|', '⎢', '⎜']) {
+                let before = &line[..frame];
+                if before.trim_end().ends_with('=') && !before.contains(['.', ',']) {
+                    self.at += frame;
+                }
             }
         }
         // `$VNQMR,0.1,…`, `ATT, 12.5, …`: the name of a record that commas divide.
@@ -185,7 +190,7 @@ impl<'t> Scanner<'t> {
             if run[rule..]
                 .trim_start_matches([' ', '\t', '\r'])
                 .starts_with('\n')
-                || run[rule..].trim().is_empty()
+                || run[rule..].trim_start().is_empty()
             {
                 self.push(Mark::Bar, rule);
             }
@@ -195,7 +200,7 @@ impl<'t> Scanner<'t> {
     /// Whether the line before this one begins with the frame of a matrix.
     fn follows_frame(&self, line: &str) -> bool {
         let start = self.text.len() - line.len();
-        let before = self.text[..start].trim_end_matches('\n');
+        let before = self.text[..start].strip_suffix('\n').unwrap_or("");
         let before = &before[before.rfind('\n').map_or(0, |at| at + 1)..];
         before.trim_start().starts_with(['|', '⎡', '⎛', '⎢', '⎜'])
     }
@@ -224,8 +229,10 @@ impl<'t> Scanner<'t> {
             }
             // The colours of a terminal: `ESC[0;34m`.
             '\u{1b}' => {
-                let end = rest.find(|mark: char| mark.is_alphabetic());
-                self.at += end.map_or(1, |end| end + 1);
+                let code = rest.bytes().take(16);
+                let end = code.take_while(|byte| !byte.is_ascii_alphabetic()).count();
+                let end = if end < 16 && end < rest.len() { end } else { 0 };
+                self.at += end + 1;
             }
             '*' if is_checksum(rest) => self.at += 3,
             // The type of a value of Maya: `setAttr ".r" -type "double3" 1 2 3`.
@@ -284,7 +291,11 @@ impl<'t> Scanner<'t> {
                 self.push(Mark::Operator, 1);
             }
             // A line that is drawn may be a minus.
-            '─' | '━' | '—' | '‒' | '―' if second.is_ascii_digit() || second == '.' => {
+            '\u{2500}'..='\u{257f}' | '—' | '‒' | '―'
+                if second.is_ascii_digit()
+                    || second == '.'
+                    || self.is_between_numbers(first.len_utf8()) =>
+            {
                 self.push(Mark::Operator, first.len_utf8());
             }
             '…' => self.push(Mark::Operator, first.len_utf8()),
@@ -318,8 +329,23 @@ impl<'t> Scanner<'t> {
                 self.push(Mark::Operator, 1);
             }
             _ if first.is_alphabetic() || first == '_' => self.word(),
+            // What is not known between two digits, such as what is not seen.
+            _ if !first.is_ascii()
+                && second.is_ascii_digit()
+                && matches!(self.touching(), Some(Mark::Number(_))) =>
+            {
+                self.push(Mark::Operator, first.len_utf8());
+            }
             _ => self.at += first.len_utf8(),
         }
+    }
+
+    /// Whether a number stands before this place, and one behind so many bytes in the same line.
+    fn is_between_numbers(&self, length: usize) -> bool {
+        let last = self.tokens.last().map(|last| last.mark);
+        let after = self.rest()[length..].trim_start_matches(' ');
+        matches!(last, Some(Mark::Number(_)))
+            && after.starts_with(|first: char| first.is_ascii_digit() || first == '.')
     }
 
     /// A bar divides two things of a line; at its ends it is the frame of a matrix.
@@ -327,7 +353,7 @@ impl<'t> Scanner<'t> {
         let is_frame = self.rest()[1..]
             .trim_start_matches([' ', '\t', '\r'])
             .starts_with('\n')
-            || self.rest()[1..].trim().is_empty()
+            || self.rest()[1..].trim_start().is_empty()
             || matches!(
                 self.tokens.last(),
                 Some(Token {

@@ -9,12 +9,16 @@ impl<'t> Scanner<'t> {
         let length = first.len_utf8();
         let rest = self.rest();
         let after = &rest[length..];
+        let is_digit =
+            |text: &str| text.starts_with(|first: char| first.is_ascii_digit() || first == '.');
         if after.starts_with("->") || after.starts_with('>') {
-            let dashes = rest.len() - rest.trim_start_matches('-').len();
-            self.push(Mark::Label, dashes + 1);
+            let dashes = after.len() - after.trim_start_matches('-').len();
+            self.push(Mark::Label, length + dashes + 1);
             return;
         }
-        if rest.starts_with("+-") || rest.starts_with("+/-") {
+        let is_uncertainty = !is_digit(rest.get(2..).unwrap_or(""))
+            || matches!(self.touching(), Some(Mark::Number(_)));
+        if rest.starts_with("+-") && is_uncertainty || rest.starts_with("+/-") {
             // An uncertainty: what follows is named by it.
             self.push(Mark::Word, if rest.starts_with("+-") { 2 } else { 3 });
             return;
@@ -23,13 +27,15 @@ impl<'t> Scanner<'t> {
         // Dashes before a number may be signs, or a mark of something.
         let dashes = rest.len() - rest.trim_start_matches('-').len();
         let number = rest[dashes..].trim_start_matches(' ');
-        let is_digit =
-            |text: &str| text.starts_with(|first: char| first.is_ascii_digit() || first == '.');
         if dashes > 2 && is_digit(number) || dashes == 2 && is_digit(&rest[dashes..]) {
             self.push(Mark::Operator, dashes);
             return;
         }
-        let flag = rest.trim_start_matches('-');
+        let flag = &rest[dashes..];
+        if dashes > 2 && !flag.starts_with(|first: char| first.is_alphabetic()) {
+            self.at += dashes;
+            return;
+        }
         if flag.starts_with(|first: char| first.is_alphabetic())
             && !matches!(
                 self.touching(),

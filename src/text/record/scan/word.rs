@@ -106,7 +106,12 @@ impl<'t> Scanner<'t> {
     pub(crate) fn angle(&mut self) {
         let rest = self.rest();
         if let Some(closing) = rest.strip_prefix("</") {
-            let length = closing.find('>').map_or(closing.len(), |at| at + 1);
+            let is_name = |byte: &u8| *byte != b'>' && *byte != b'\n';
+            let name = closing.bytes().take(80).take_while(is_name).count();
+            let closes = closing
+                .get(name..)
+                .is_some_and(|rest| rest.starts_with('>'));
+            let length = if closes { name + 1 } else { 0 };
             self.push(Mark::TagClose, 2 + length);
             return;
         }
@@ -129,9 +134,14 @@ impl<'t> Scanner<'t> {
                         .starts_with(['"', '\'']));
         if is_tag {
             self.push(Mark::TagOpen, 1 + length);
-        } else if rest.starts_with("<<") {
+        } else if rest.starts_with("<<")
+            && matches!(
+                self.tokens.last().map(|last| last.mark),
+                Some(Mark::Word | Mark::Close)
+            )
+        {
             self.push(Mark::Label, 2);
-        } else if rest[1..].trim_start_matches(' ').starts_with('<') {
+        } else if rest[1..].trim_start_matches(' ').starts_with('<') || rest.starts_with("<<") {
             self.push(Mark::Operator, 1);
         } else {
             self.at += 1;

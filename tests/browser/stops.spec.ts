@@ -51,7 +51,7 @@ test("what the numbers are is said by keyboard, and taken back", async ({ page }
   await expect(quaternionField(page)).toBeFocused();
   await expect(page.getByRole("status")).toContainText("Done: Axis and angle.");
   await expect(page.locator(".notes li")).toHaveCount(0);
-  // Half of 75°, by numpy: the entry of row y and column x is 2 (xy + wz).
+  // Row y, column x: 2 (xy + wz) with w = cos 37.5° and (x, y, z) = sin 37.5° (0.36, 0.48, 0.8)
   await expect
     .poll(async () => (await numbersOf(matrix(page, "R(q)")))[3])
     .toBeCloseTo(0.900_82, 5);

@@ -92,7 +92,7 @@ pub(crate) fn stands_under(path: &[&str], names: &str) -> bool {
 
 fn is_one_of(key: &str, names: &str) -> bool {
     names.split('|').any(|name| {
-        let lower = name.to_lowercase();
+        let lower = name.to_ascii_lowercase();
         let parts = words_of(name);
         identifiers_of(key).any(|own| own == lower)
             || (name.len() > 1

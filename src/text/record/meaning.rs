@@ -186,7 +186,8 @@ impl Meaning {
         // `rpyOffset` is no position.
         let own = match own {
             None | Some(Role::Position)
-                if sequence_of(key, &words).is_some() && !key.to_lowercase().contains("xyz") =>
+                if sequence_of(key, &words).is_some()
+                    && !key.to_ascii_lowercase().contains("xyz") =>
             {
                 Some(Role::Euler)
             }
@@ -238,7 +239,7 @@ impl Meaning {
             word.chars().count() > 1
                 || key
                     .split(|mark: char| !mark.is_alphanumeric())
-                    .any(|own| own.to_lowercase() == word)
+                    .any(|own| own.to_ascii_lowercase() == word)
         };
         // `omega_q`, `gyro_q`: another quantity in the same name is what it is.
         let last = key.rsplit([' ', '\t']).next().unwrap_or(key);
@@ -287,7 +288,7 @@ pub(crate) fn may_compute(key: &str) -> bool {
         || !matches!(role, None | Some(Role::Derived))
         || is_matrix(last)
         || is_holder(last);
-    last.starts_with(|first: char| first.is_lowercase()) && !is_known
+    last.starts_with(|first: char| first.is_ascii_lowercase()) && !is_known
 }
 
 /// The sequence of Euler angles in a name: `rpy`, `Yaw-Pitch-Roll`, `euler_zyx`, `intrinsic XYZ`.
@@ -328,7 +329,9 @@ fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
     match frame {
         Some(frame) => Some(EulerSequence { frame, ..sequence }),
         // Capitals in a name are moving axes; small letters there may be only the style of names.
-        None if is_euler && letters.starts_with(char::is_uppercase) => Some(sequence),
+        None if is_euler && letters.starts_with(|mark: char| mark.is_ascii_uppercase()) => {
+            Some(sequence)
+        }
         None => None,
     }
 }
@@ -364,7 +367,7 @@ fn primed(key: &str) -> Option<EulerSequence> {
     axes.windows(3).find_map(|axes| match axes {
         &[(first, 0), (second, 1), (third, 2)] => {
             let letters: String = [first, second, third].iter().collect();
-            letters.to_uppercase().parse().ok()
+            letters.to_ascii_uppercase().parse().ok()
         }
         _ => None,
     })

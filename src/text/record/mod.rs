@@ -147,7 +147,7 @@ pub(crate) fn record_of(
             words_of(token.text)
                 .into_iter()
                 .chain(identifiers_of(token.text))
-                .chain([token.text.to_lowercase()])
+                .chain([token.text.to_ascii_lowercase()])
         })
         .collect();
     let formats: Vec<&'static Format> = formats

@@ -6,7 +6,9 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
     let mut before = ' ';
     let mut characters = name.chars().peekable();
     while let Some(mark) = characters.next() {
-        let next_is_small = characters.peek().is_some_and(|next| next.is_lowercase());
+        let next_is_small = characters
+            .peek()
+            .is_some_and(|next| next.is_ascii_lowercase());
         let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
         // `quat2eul` is quat, eul.
         if mark == '2'
@@ -17,18 +19,18 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
             continue;
         }
         let begins = !before.is_alphanumeric()
-            || (before.is_lowercase() && mark.is_uppercase())
-            || (before.is_uppercase() && mark.is_uppercase() && next_is_small)
+            || (before.is_ascii_lowercase() && mark.is_ascii_uppercase())
+            || (before.is_ascii_uppercase() && mark.is_ascii_uppercase() && next_is_small)
             || (before.is_ascii_digit()
                 && mark.is_alphabetic()
                 && before != ' '
-                && mark.is_uppercase());
+                && mark.is_ascii_uppercase());
         if is_part {
             if begins || words.is_empty() {
                 words.push(String::new());
             }
             if let Some(word) = words.last_mut() {
-                word.extend(mark.to_lowercase());
+                word.push(mark.to_ascii_lowercase());
             }
         }
         before = mark;
@@ -40,7 +42,7 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
 pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
     key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
         .filter(|name| !name.is_empty())
-        .map(str::to_lowercase)
+        .map(str::to_ascii_lowercase)
 }
 
 /// Names that are written in another way.

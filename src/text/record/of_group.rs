@@ -155,7 +155,7 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         return none;
     }
     // A component is one number, and lengths are no components.
-    let own = own_key(group).to_lowercase();
+    let own = own_key(group).to_ascii_lowercase();
     let is_component = ["w", "x", "y", "z"].contains(&own.as_str()) && numbers.len() > 3;
     let is_unnamed = ["let", "var", "const", "static", "auto"].contains(&own.as_str());
     if is_component || is_unnamed || (group.has_lengths && numbers.len() == 4) {

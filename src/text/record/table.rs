@@ -190,7 +190,7 @@ impl<'t> Table<'t> {
 
 /// The rows of a matrix under the names of its axes: `| | x | y | z |`.
 fn matrix<'t>(head: &[&str], rows: &[Line<'t>], way: Divided) -> Option<Group<'t>> {
-    let names: String = head.concat().to_lowercase();
+    let names: String = head.concat().to_ascii_lowercase();
     let numbers: Vec<Vec<f64>> = rows
         .iter()
         .map(|(_, cells)| cells.iter().filter_map(|cell| number(cell, way)).collect())

@@ -123,7 +123,7 @@ fn together(turns: &[Turn], label: &str, unit: Unit, context: &Context) -> Optio
             numbers.push(0.0);
         }
     }
-    let letters = letters.to_uppercase();
+    let letters = letters.to_ascii_uppercase();
     let meaning = Meaning::default();
     let said = Said {
         sequence: None,

@@ -76,7 +76,7 @@ pub(crate) fn call(name: &str) -> Call {
     let computes = OPERATIONS.iter().any(|word| lower.contains(word))
         || ["to", "as"].iter().any(|word| {
             last.strip_prefix(word)
-                .is_some_and(|rest| rest.starts_with(char::is_uppercase))
+                .is_some_and(|rest| rest.starts_with(|mark: char| mark.is_ascii_uppercase()))
         });
     if computes || names_both_orders(last) {
         return Call::Other;

@@ -28,15 +28,15 @@ fn end_of_word(text: &str) -> usize {
     let mut characters = text.char_indices().peekable();
     while let Some((at, character)) = characters.next() {
         let starts_lower =
-            |next: Option<&(usize, char)>| next.is_some_and(|(_, next)| next.is_lowercase());
+            |next: Option<&(usize, char)>| next.is_some_and(|(_, next)| next.is_ascii_lowercase());
         let ends = !character.is_alphanumeric()
             || matches!(character, 'ᵀ' | 'ᵗ')
             || before.is_some_and(|before| {
-                before.is_numeric() != character.is_numeric()
-                    || (before.is_lowercase() && character.is_uppercase())
+                before.is_ascii_digit() != character.is_ascii_digit()
+                    || (before.is_ascii_lowercase() && character.is_ascii_uppercase())
                     // `JPLQuat` is `JPL` and `Quat`.
-                    || (before.is_uppercase()
-                        && character.is_uppercase()
+                    || (before.is_ascii_uppercase()
+                        && character.is_ascii_uppercase()
                         && starts_lower(characters.peek()))
             });
         if ends && at > 0 {
@@ -49,7 +49,7 @@ fn end_of_word(text: &str) -> usize {
 
 /// What one word says, or several that stand together, as in `scalarlast`; `None` where it is not known.
 pub(crate) fn meaning_of_word(word: &str) -> Option<LabelWord> {
-    let lower = word.to_lowercase();
+    let lower = word.to_ascii_lowercase();
     listed(&lower)
         .or_else(|| AngleUnit::named(&lower).map(LabelWord::Unit))
         .or_else(|| order_of_letters(&lower))
@@ -106,7 +106,7 @@ fn between_frames(from: &str, to: &str) -> Option<LabelWord> {
 
 /// All that the words of a name say, one by one and together.
 pub(crate) fn meanings_of(name: &str) -> Vec<LabelWord> {
-    let words: Vec<String> = words_of(name).map(str::to_lowercase).collect();
+    let words: Vec<String> = words_of(name).map(str::to_ascii_lowercase).collect();
     let mut meanings = Vec::new();
     let mut at = 0;
     while at < words.len() {
@@ -214,7 +214,7 @@ pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
         return None;
     }
     let is_permuted = |word: &str| {
-        let word = word.to_lowercase();
+        let word = word.to_ascii_lowercase();
         word.len() == 3 && word != "xyz" && "xyz".chars().all(|axis| word.contains(axis))
     };
     if words_of(name).any(is_permuted) {
@@ -245,7 +245,7 @@ const LONGEST_SYMBOL: usize = 3;
 #[cfg(feature = "whole")]
 pub(crate) fn says_nothing(name: &str) -> bool {
     let is_known = |word: &str| {
-        let lower = word.to_lowercase();
+        let lower = word.to_ascii_lowercase();
         let is_listed = OF_ROTATIONS
             .split_ascii_whitespace()
             .any(|known| known == lower);

@@ -211,7 +211,8 @@ pub(crate) fn sequence_in_name(name: &str) -> Option<&str> {
     name.split(['_', '-', ' ', '.', ':']).find_map(|word| {
         let (before, end) = word.split_at_checked(word.len().checked_sub(3)?)?;
         let is_capital = |letter: char| matches!(letter, 'X' | 'Y' | 'Z');
-        let is_end = before.ends_with(char::is_lowercase) && end.chars().all(is_capital);
+        let is_end =
+            before.ends_with(|mark: char| mark.is_ascii_lowercase()) && end.chars().all(is_capital);
         match () {
             () if is_sequence(word) || (is_euler && names_axes(word)) => Some(word),
             () => is_end.then_some(end),

@@ -268,7 +268,7 @@ impl<'t> Builder<'t> {
         if member.row != row {
             return false;
         }
-        let word = token.text.to_lowercase();
+        let word = token.text.to_ascii_lowercase();
         let (factor, unit) = match word.as_str() {
             "turn" | "turns" => (360.0, Some(AngleUnit::Degrees)),
             "gon" | "grad" | "gradians" => (0.9, Some(AngleUnit::Degrees)),

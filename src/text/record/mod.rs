@@ -50,6 +50,9 @@ mod rows;
 // Any text to tokens.
 mod scan;
 
+// Sums of units.
+mod sums;
+
 // Rows under names.
 mod table;
 
@@ -70,6 +73,7 @@ use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::quantity::Value;
 use crate::text::record::scan::{Mark, Token, scan};
+use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
 use crate::text::vocabulary::constructors::order_in_name;
 use std::collections::BTreeSet;
@@ -119,7 +123,7 @@ pub(crate) struct Record {
 }
 
 /// How many rotations of a text are looked at; which of so many is meant has to be asked in any case.
-const MOST_ROTATIONS: usize = 64;
+const MOST_ROTATIONS: usize = 24;
 
 /// What is declared of a text.
 #[derive(Clone, Copy)]
@@ -192,7 +196,15 @@ pub(crate) fn record(
         unit: settings.unit,
         letters: settings.letters,
     };
-    let all = found(&quantities, &context, plain);
+    let sums = sums(text);
+    let is_in_sum = |span: Span| {
+        sums.iter()
+            .any(|sum| sum.span.start <= span.start && span.end <= sum.span.end)
+    };
+    quantities.groups.retain(|group| !is_in_sum(group.span));
+    let mut all = found(&quantities, &context, plain);
+    all.retain(|found| !is_in_sum(found.span));
+    all.extend(sums.iter().cloned());
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful
         || is_one_line

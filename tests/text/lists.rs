@@ -244,11 +244,13 @@ fn any_number_of_brackets_may_stand_beside_each_other() {
 /// As many numbers as a homogeneous matrix has, announced as one.
 #[wasm_bindgen_test(unsupported = test)]
 fn a_matrix_of_four_rows_is_named() {
-    let numbers = "0 -1 0 5 1 0 0 6 0 0 1 7 0 0 0 1";
+    // Its last row is that of no pose.
+    let numbers = "0 -1 0 5 1 0 0 6 0 0 1 7 1 0 0 1";
     check_refused(&[(
-        "matrix 0 -1 0 5 1 0 0 6 0 0 1 7 0 0 0 1",
+        "matrix 0 -1 0 5 1 0 0 6 0 0 1 7 1 0 0 1",
         ProblemCode::WrongCount,
         numbers,
         "(4 by 4)",
     )]);
+    check_read(&[("matrix 0 -1 0 5 1 0 0 6 0 0 1 7 0 0 0 1", "90deg about z")]);
 }

@@ -1,7 +1,7 @@
 //! What is offered to be written in place of a text, and where nothing is: no click changes a number
 //! or chooses between two readings.
 
-use crate::checked::{check_none_offered, check_offered, problem};
+use crate::checked::{check_none_offered, check_offered, check_read, problem};
 use quatlas::{Field, Remedy};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -184,28 +184,16 @@ fn texts_up_to_four_kilobytes_are_mended() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn only_numbers_have_a_rotation_part() {
-    check_offered(&[
-        (
-            "0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1.0",
-            Remedy::RotationPart,
-            "0 -1 0\n1 0 0\n0 0 1",
-        ),
-        (
-            "[0 -1 0 5 1 0 0 6 0 0 1 7]",
-            Remedy::RotationPart,
-            "0 -1 0 1 0 0 0 0 1",
-        ),
+    // A translation beside the rotation is told.
+    check_read(&[
+        ("0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 1.0", "90deg about z"),
+        ("[0 -1 0 5 1 0 0 6 0 0 1 7]", "90deg about z"),
         (
             "0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7, -0.0, 0, 0, 1",
-            Remedy::RotationPart,
-            "0 -1 0 1 0 0 0 0 1",
+            "90deg about z",
         ),
-        // Its first nine numbers are no rotation.
-        (
-            "1 0 0 0 0 1 0 1.1 0 0 1 0",
-            Remedy::RotationPart,
-            "1 0 0 0 1 0 0 0 1",
-        ),
+        // For row vectors: it stands in the last row.
+        ("0 -1 0 0\n1 0 0 0\n0 0 1 0\n5 6 7 1", "-90deg about z"),
     ]);
     check_none_offered(
         Field::Quaternion,
@@ -214,7 +202,6 @@ fn only_numbers_have_a_rotation_part() {
             "0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0.5 1",
             "0 -1 0 5\n1 0 0 6\n0 0 1 7\n1 0 0 1",
             "0 -1 0 5\n1 0 0 6\n0 0 1 7\n0 0 0 2",
-            "0 -1 0 0\n1 0 0 0\n0 0 1 0\n5 6 7 1",
             // A rotation and then a translation.
             "0 -1 0 1 0 0 0 0 1 0 0 0",
             // Either: a quarter turn about x and then a translation, or no turn; also where it is rounded.

@@ -248,12 +248,6 @@ fn forty_characters_of_an_unknown_constructor_are_told() {
 fn a_label_behind_an_announcement_is_not_passed_over() {
     use ProblemCode::UnknownWord;
     check_refused(&[
-        (
-            "rotvec in degrees: 0 0 7",
-            UnknownWord,
-            "degrees",
-            "what these",
-        ),
         ("rotvec turns: 0 0 0.2", UnknownWord, "turns", "what these"),
         (
             "rotation vector in mrad = 0 0 7",

@@ -46,7 +46,7 @@ pub(crate) fn found(
     all.retain(|found| {
         let after = spans.partition_point(|span| span.start <= found.span.start);
         let before = after.checked_sub(1).map(|at| spans[at]);
-        !before.is_some_and(|span| found.span.end <= span.end)
+        before.is_none_or(|span| found.span.end > span.end)
     });
     all.extend(turns);
     all.sort_by_key(|found| found.span.start);

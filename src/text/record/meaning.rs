@@ -89,7 +89,7 @@ const ROLES: &[(Role, &str)] = &[
          distortion coeffs color colour colors rgba rgb gravity uncertainty ± angvel linvel omega rate rates \
          rate0 omegas force torque wrench residual stdev std sigma variance skew pid gains percent \
          probability speed speeds wheel wheels shear bias noise limits lower upper effort jacobian hessian \
-         inertia mrp gibbs crp",
+         inertia mrp gibbs crp turns mrad mdeg arcsec arcmin",
     ),
     (
         Role::Derived,
@@ -237,6 +237,7 @@ impl Meaning {
         // A letter is a name only where it stands alone: `tGripper` is no translation.
         let stands_alone = |word: &str| {
             word.chars().count() > 1
+                || word == "±"
                 || key
                     .split(|mark: char| !mark.is_alphanumeric())
                     .any(|own| own.to_ascii_lowercase() == word)

@@ -50,6 +50,12 @@ mod rows;
 // Any text to tokens.
 mod scan;
 
+// What words say of all numbers.
+mod settings;
+
+// Sums of units.
+mod sums;
+
 // Rows under names.
 mod table;
 
@@ -57,7 +63,6 @@ mod table;
 mod turns;
 
 use crate::convention::angle::AngleUnit;
-use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
@@ -68,10 +73,10 @@ use crate::text::record::group::Quantities;
 use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
-use crate::text::record::quantity::Value;
-use crate::text::record::scan::{Mark, Token, scan};
+use crate::text::record::scan::scan;
+use crate::text::record::settings::{Settings, is_balanced, is_plain};
+use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
-use crate::text::vocabulary::constructors::order_in_name;
 use std::collections::BTreeSet;
 
 /// A rotation of a record.
@@ -121,7 +126,7 @@ pub(crate) struct Record {
 }
 
 /// How many rotations of a text are looked at; which of so many is meant has to be asked in any case.
-const MOST_ROTATIONS: usize = 64;
+const MOST_ROTATIONS: usize = 24;
 
 /// What is declared of a text.
 #[derive(Clone, Copy)]
@@ -178,7 +183,8 @@ pub(crate) fn record_of(
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);
     settings.is_doubtful |= numbers.clone().any(|number| {
-        ["order", "layout", "sequence"].contains(&number.name.as_str()) && number.value >= 100.0
+        let is_order = ["order", "layout", "sequence"].contains(&number.name.as_str());
+        (is_order && number.value >= 100.0) || number.name == "first"
     });
     for number in numbers.filter(|number| number.name == "degrees") {
         settings.unit = Some(if number.value == 1.0 {
@@ -198,9 +204,18 @@ pub(crate) fn record_of(
         unit: settings.unit,
         letters: settings.letters,
     };
-    let all = found(&quantities, &context, plain);
+    let sums = sums(text);
+    let is_in_sum = |span: Span| {
+        sums.iter()
+            .any(|sum| sum.span.start <= span.start && span.end <= sum.span.end)
+    };
+    quantities.groups.retain(|group| !is_in_sum(group.span));
+    let mut all = found(&quantities, &context, plain);
+    all.retain(|found| !is_in_sum(found.span));
+    all.extend(sums.iter().cloned());
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful
+        || is_one_line && !text.contains("*^") && is_plain(&quantities, &context)
         || is_one_line
             && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
     let rotations: Vec<RecordRotation> = all
@@ -217,28 +232,6 @@ pub(crate) fn record_of(
         rows,
         head,
     }
-}
-
-/// Whether every bracket is closed.
-fn is_balanced(tokens: &[Token<'_>]) -> bool {
-    let mut open = Vec::new();
-    for token in tokens {
-        match (token.mark, token.text) {
-            (Mark::Open, "(" | "[" | "{") => open.push(token.text),
-            (Mark::Close, close @ (")" | "]" | "}")) => {
-                let opens = match close {
-                    ")" => "(",
-                    "]" => "[",
-                    _ => "{",
-                };
-                if open.pop() != Some(opens) {
-                    return false;
-                }
-            }
-            _ => {}
-        }
-    }
-    open.is_empty()
 }
 
 /// Whether the words by which a format is known stand in a text.
@@ -280,81 +273,4 @@ fn beside(found: &Found) -> Option<Beside> {
         numbers,
         is_in_world: matches!(found.made, Made::Centre(_)),
     })
-}
-
-/// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
-#[derive(Default)]
-struct Settings {
-    order: Option<ComponentOrder>,
-    unit: Option<AngleUnit>,
-    letters: Option<String>,
-    /// Whether something was set that is not understood: it may change every number.
-    is_doubtful: bool,
-}
-
-impl Settings {
-    fn of(values: &[Value<'_>]) -> Self {
-        let mut settings = Self::default();
-        for value in values {
-            settings.take(value);
-        }
-        settings
-    }
-
-    fn take(&mut self, value: &Value<'_>) {
-        let key = words_of(value.key);
-        let is = |names: &[&str]| {
-            key.last()
-                .is_some_and(|last| names.contains(&last.as_str()))
-        };
-        if key.len() == 1
-            && is(&["handedness", "hand"])
-            && !value.text.to_ascii_lowercase().starts_with("right")
-        {
-            self.is_doubtful = true;
-        }
-        let is_known_order = |text: &str| {
-            let lower = text.to_ascii_lowercase();
-            order_in_name(text).is_some()
-                || text.parse::<EulerSequence>().is_ok()
-                || ["c", "row", "rows", "row-major", "row_major", "rowmajor"]
-                    .contains(&lower.as_str())
-        };
-        if key.len() == 1
-            && is(&["order", "layout", "sequence", "seq"])
-            && !is_known_order(value.text)
-        {
-            self.is_doubtful = true;
-        }
-        if is(&["order", "format", "convention", "layout", "components"]) {
-            self.order = self.order.or_else(|| order_in_name(value.text));
-        }
-        if is(&["type"]) && key.iter().any(|word| word == "quaternion") {
-            self.order = self.order.or(match value.text {
-                "FIRST" => Some(ComponentOrder::ScalarFirst),
-                "LAST" => Some(ComponentOrder::ScalarLast),
-                _ => None,
-            });
-        }
-        if is(&["angle", "unit", "units", "angles", "degrees"]) {
-            let word = value.text.to_ascii_lowercase();
-            self.unit = self
-                .unit
-                .or_else(|| match (word.as_str(), is(&["degrees"])) {
-                    ("true" | "1", true) => Some(AngleUnit::Degrees),
-                    ("false" | "0", true) => Some(AngleUnit::Radians),
-                    _ => AngleUnit::named(&word),
-                });
-        }
-        // `toArray()` of three.js and the `repr` of Blender: `(0.1, 0.2, 0.3, 'XYZ')`.
-        let is_alone = value.key.is_empty()
-            && value.text.len() == 3
-            && value.text.chars().all(|letter| "XYZ".contains(letter));
-        if (is_alone || is(&["order", "sequence", "seq", "eulerseq", "axes"]))
-            && self.letters.is_none()
-        {
-            let is_sequence = value.text.parse::<EulerSequence>().is_ok();
-            self.letters = is_sequence.then(|| value.text.to_owned());
-        }
-    }
 }

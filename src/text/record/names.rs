@@ -53,6 +53,7 @@ const ALIASES: [(&str, &str); 10] = [
     ("φ₂", "phi2"),
     ("φ2", "phi2"),
     ("φ", "phi"),
+    ("Φ", "phi"),
     ("θ", "theta"),
     ("ψ", "psi"),
     ("ω", "omega"),

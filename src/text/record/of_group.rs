@@ -161,6 +161,10 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     if is_component || is_unnamed || (group.has_lengths && numbers.len() == 4) {
         return none;
     }
+    // A matrix has no unit.
+    if group.unit.is_some() && numbers.len() == 9 {
+        return none;
+    }
     // `rvecs`, `axes`: several of something else.
     let is_several = matches!(
         role,

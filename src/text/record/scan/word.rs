@@ -3,6 +3,7 @@
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
 use crate::text::record::scan::{Mark, Scanner, Token};
+use crate::text::vocabulary::constructors::order_in_name;
 
 impl<'t> Scanner<'t> {
     pub(crate) fn word(&mut self) {
@@ -47,8 +48,21 @@ impl<'t> Scanner<'t> {
             self.push(Mark::Operator, 1);
             return;
         }
+        let inside = &after[..argument];
+        if order_in_name(inside).is_some() {
+            self.push(Mark::Word, end + argument);
+            return;
+        }
         self.push(Mark::Word, end);
-        self.at += argument;
+        // `Quaternion<left>`: what is not known of it may change the numbers.
+        let is_convention = ["left", "right", "active", "passive", "jpl", "Jpl", "JPL"]
+            .iter()
+            .any(|word| inside.contains(word));
+        if is_convention {
+            self.push(Mark::Operator, argument);
+        } else {
+            self.at += argument;
+        }
     }
 
     pub(crate) fn quote(&mut self, quote: char) {

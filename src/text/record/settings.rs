@@ -1,0 +1,139 @@
+//! What words say of all the numbers of a text, and where they leave it open.
+
+use crate::convention::angle::AngleUnit;
+use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::order::ComponentOrder;
+use crate::text::record::found::Context;
+use crate::text::record::group::Quantities;
+use crate::text::record::names::words_of;
+use crate::text::record::quantity::Value;
+use crate::text::record::scan::{Mark, Token};
+use crate::text::vocabulary::constructors::{is_derived_label, order_in_name};
+
+/// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
+#[derive(Default)]
+pub(crate) struct Settings {
+    pub(crate) order: Option<ComponentOrder>,
+    pub(crate) unit: Option<AngleUnit>,
+    pub(crate) letters: Option<String>,
+    /// Whether something was set that is not understood: it may change every number.
+    pub(crate) is_doubtful: bool,
+}
+
+impl Settings {
+    pub(crate) fn of(values: &[Value<'_>]) -> Self {
+        let mut settings = Self::default();
+        for value in values {
+            settings.take(value);
+        }
+        settings
+    }
+
+    fn take(&mut self, value: &Value<'_>) {
+        let key = words_of(value.key);
+        let is = |names: &[&str]| {
+            key.last()
+                .is_some_and(|last| names.contains(&last.as_str()))
+        };
+        if key.len() == 1
+            && is(&["handedness", "hand"])
+            && !value.text.to_ascii_lowercase().starts_with("right")
+        {
+            self.is_doubtful = true;
+        }
+        // `{"frame": "extrinsic", "roll": …}`, `inverse: ZYX roll=…`.
+        let is_frame = ["intrinsic", "extrinsic"].contains(&value.text);
+        self.is_doubtful |= is_frame || is_derived_label(value.key);
+        let is_known_order = |text: &str| {
+            let lower = text.to_ascii_lowercase();
+            order_in_name(text).is_some()
+                || text.parse::<EulerSequence>().is_ok()
+                || ["c", "row", "rows", "row-major", "row_major", "rowmajor"]
+                    .contains(&lower.as_str())
+        };
+        if key.len() == 1
+            && is(&["order", "layout", "sequence", "seq"])
+            && !is_known_order(value.text)
+        {
+            self.is_doubtful = true;
+        }
+        if is(&["order", "format", "convention", "layout", "components"]) {
+            self.order = self.order.or_else(|| order_in_name(value.text));
+        }
+        if is(&["type"]) && key.iter().any(|word| word == "quaternion") {
+            self.order = self.order.or(match value.text {
+                "FIRST" => Some(ComponentOrder::ScalarFirst),
+                "LAST" => Some(ComponentOrder::ScalarLast),
+                _ => None,
+            });
+        }
+        if is(&["angle", "unit", "units", "angles", "degrees"]) {
+            let word = value.text.to_ascii_lowercase();
+            self.unit = self
+                .unit
+                .or_else(|| match (word.as_str(), is(&["degrees"])) {
+                    ("true" | "1", true) => Some(AngleUnit::Degrees),
+                    ("false" | "0", true) => Some(AngleUnit::Radians),
+                    _ => AngleUnit::named(&word),
+                });
+        }
+        // `toArray()` of three.js and the `repr` of Blender: `(0.1, 0.2, 0.3, 'XYZ')`.
+        let is_alone = value.key.is_empty()
+            && value.text.len() == 3
+            && value.text.chars().all(|letter| "XYZ".contains(letter));
+        if (is_alone || is(&["order", "sequence", "seq", "eulerseq", "axes"]))
+            && self.letters.is_none()
+        {
+            let is_sequence = value.text.parse::<EulerSequence>().is_ok();
+            self.letters = is_sequence.then(|| value.text.to_owned());
+        }
+    }
+}
+
+/// Whether a line holds one quantity, under no name or a word that announces a description: what the grammar
+/// refuses of such a text, it refuses on purpose.
+pub(crate) fn is_plain(quantities: &Quantities<'_>, context: &Context) -> bool {
+    const ANNOUNCING: &str = "deg rad degrees radians rotvec rpy ypr mrp gibbs euler xyz zyx zyz zxz intrinsic extrinsic fixed static moving \
+                              rotating axis angle axisangle halfangle";
+    let is_marked = context
+        .formats
+        .iter()
+        .any(|format| !format.marks.is_empty());
+    let announces = |path: &[&str]| {
+        let first = path.iter().flat_map(|key| words_of(key)).next();
+        first.is_none_or(|first| ANNOUNCING.split_whitespace().any(|word| word == first))
+    };
+    let is_alone = match (&quantities.groups[..], &quantities.named[..]) {
+        // Rows of files have more numbers.
+        ([group], []) => group.numbers.len() <= 4 && announces(&group.path),
+        ([], [named]) => {
+            let mut path = named.path.clone();
+            path.push(&named.stem);
+            announces(&path) && !named.stem.is_empty()
+        }
+        _ => false,
+    };
+    is_alone && !is_marked
+}
+
+/// Whether every bracket is closed.
+pub(crate) fn is_balanced(tokens: &[Token<'_>]) -> bool {
+    let mut open = Vec::new();
+    for token in tokens {
+        match (token.mark, token.text) {
+            (Mark::Open, "(" | "[" | "{") => open.push(token.text),
+            (Mark::Close, close @ (")" | "]" | "}")) => {
+                let opens = match close {
+                    ")" => "(",
+                    "]" => "[",
+                    _ => "{",
+                };
+                if open.pop() != Some(opens) {
+                    return false;
+                }
+            }
+            _ => {}
+        }
+    }
+    open.is_empty()
+}

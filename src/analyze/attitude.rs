@@ -66,50 +66,6 @@ pub(crate) struct Attitude {
 }
 
 impl Attitude {
-<<<<<<< HEAD
-=======
-    /// The attitude that a text holds, or its first problem with what to write instead.
-    pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
-        let read = |text: &str| Self::read(text, declared);
-        let attitude = read(text).map_err(|fault| {
-            let read = |candidate: &str| read(candidate).map(drop);
-            with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
-        })?;
-        if attitude.unit.is_some() {
-            return Ok(attitude);
-        }
-        let is_read = |text: &str| read(text).is_ok();
-        let texts = unit::inside_functions(text, &is_read);
-        Ok(Self {
-            unit: texts.map(|texts| unit_assumed(AngleUnit::Radians, texts)),
-            ..attitude
-        })
-    }
-
-    /// The attitude of a text that is a rotation by itself, or that holds one.
-    fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
-        let plain = Self::plain(text, declared);
-        #[cfg(feature = "whole")]
-        if is_record(text, &plain)
-            && let Some(found) = of_record(text, declared, plain.as_ref().ok())
-        {
-            return match (found, plain) {
-                // What names the word knows its place better.
-                (Err(found), Err(plain))
-                    if found.code == ProblemCode::UnknownWord
-                        && (plain.code == found.code
-                            || plain.code == ProblemCode::UnexpectedCharacter
-                            || !text.trim().contains('\n')) =>
-                {
-                    Err(plain)
-                }
-                (found, _) => found,
-            };
-        }
-        plain
-    }
-
->>>>>>> formats
     /// The attitude of a text that is a rotation and nothing else.
     pub(crate) fn plain(text: &str, declared: Declared) -> Result<Self, Fault> {
         let parsed = read_rotation(text, declared.convention.order)?;

@@ -10,7 +10,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_stands_before_a_list_is_read_or_refused() {
-    use ProblemCode::{Unexpected, UnknownWord};
+    use ProblemCode::{OtherQuantity, Unexpected, UnknownWord};
     check_refused(&[
         (
             "rotvec sqrt(3) [1, 0, 0]",
@@ -201,13 +201,13 @@ fn one_matrix_or_call_in_json_is_read() {
     check_refused(&[
         (
             r#"{"R_inv": [0, 0, 1, 0, 1, 0, -1, 0, 0]}"#,
-            UnknownWord,
+            OtherQuantity,
             r#""R_inv""#,
             "an inverse",
         ),
         (
             r#"{"inv": {"R": [0, 0, 1, 0, 1, 0, -1, 0, 0]}}"#,
-            UnknownWord,
+            OtherQuantity,
             r#""inv""#,
             "an inverse",
         ),

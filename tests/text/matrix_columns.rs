@@ -111,8 +111,8 @@ fn what_a_library_prints_by_axes_leaves_its_layout_open() {
 #[wasm_bindgen_test(unsupported = test)]
 fn what_is_not_three_vectors_is_refused() {
     use ProblemCode::{
-        DuplicateComponent, MissingComponent, MixedNames, Unexpected, UnknownComponent,
-        UnknownWord, WrongCount,
+        DuplicateComponent, MissingComponent, MixedNames, OtherQuantity, Unexpected,
+        UnknownComponent, UnknownWord, WrongCount,
     };
     check_refused(&[
         (
@@ -171,13 +171,13 @@ fn what_is_not_three_vectors_is_refused() {
         ),
         (
             "inverse: {x: [0, 0, -1], y: [1, 0, 0], z: [0, -1, 0]}",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "inverse",
         ),
         (
             "R.T = {x: [0, 0, -1], y: [1, 0, 0], z: [0, -1, 0]}",
-            UnknownWord,
+            OtherQuantity,
             "R.T",
             "a transpose",
         ),

@@ -210,18 +210,18 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     ("rpy_rate: 1 2 3", ProblemCode::UnknownWord, "rpy_rate"),
     (
         "rpy_rate (deg): 1 2 3",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "rpy_rate",
     ),
     (
         "rpy_std_deg = [1, 2, 3]",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "rpy_std_deg",
     ),
-    ("ypr_cov: 1 2 3", ProblemCode::UnknownWord, "ypr_cov"),
+    ("ypr_cov: 1 2 3", ProblemCode::OtherQuantity, "ypr_cov"),
     (
         "euler_rates: ZYX 1 2 3",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "euler_rates",
     ),
     (
@@ -231,22 +231,22 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     ),
     (
         "inverse_matrix = [[0,-1,0],[1,0,0],[0,0,1]]",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "inverse_matrix",
     ),
     (
         "R.T = [[0,-1,0],[1,0,0],[0,0,1]]",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "R.T",
     ),
     (
         r#"{"q_dot": {"w": 1, "x": 0, "y": 0, "z": 0}}"#,
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         r#""q_dot""#,
     ),
     (
         "q_dot:\n w: 1\n x: 0\n y: 0\n z: 0",
-        ProblemCode::UnknownWord,
+        ProblemCode::OtherQuantity,
         "w",
     ),
     (

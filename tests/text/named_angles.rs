@@ -70,7 +70,7 @@ fn a_sequence_told_with_its_frame_orders_named_angles() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_sequence_that_named_angles_cannot_have_is_refused() {
-    use ProblemCode::{MixedNames, UnknownSequence, UnknownWord};
+    use ProblemCode::{MixedNames, OtherQuantity, UnknownSequence, UnknownWord};
     check_refused(&[
         (
             "XYZ roll=25deg pitch=-35deg yaw=50deg",
@@ -236,7 +236,7 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
         ),
         (
             "rate roll=0.4 pitch=-0.6 yaw=0.9",
-            UnknownWord,
+            OtherQuantity,
             "rate",
             "a rate",
         ),
@@ -303,23 +303,23 @@ fn words_of_two_descriptions_are_refused_at_the_second() {
         ),
         (
             "inverse:\n  rpy: [0.1, 0.2, 0.3]",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "an inverse",
         ),
         (
             "inverse: ZYX roll=0.4 pitch=-0.6 yaw=0.9",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "an inverse",
         ),
         (
             "rpy rate roll=0.4 pitch=-0.6 yaw=0.9",
-            UnknownWord,
+            OtherQuantity,
             "rate",
             "a rate",
         ),
-        ("imu rate rpy: 0.1 0.2 0.3", UnknownWord, "rate", "a rate"),
+        ("imu rate rpy: 0.1 0.2 0.3", OtherQuantity, "rate", "a rate"),
     ]);
     check_read(&[
         ("zyx = 0.4 -0.6 0.9", "zyx 0.4 -0.6 0.9"),

@@ -9,7 +9,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 fn words_of_declarations_and_arguments_of_templates_say_something() {
     use ProblemCode::UnknownWord;
     check_refused(&[
-        ("rpy var: 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
+        ("rpy var: 0.1 0.2 0.3", OtherQuantity, "var", "a variance"),
         ("rpy var = 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
         ("var rpy: 0.1 0.2 0.3", UnknownWord, "var", "a variance"),
         (
@@ -87,7 +87,7 @@ fn words_of_declarations_and_arguments_of_templates_say_something() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_turn_about_an_axis_has_one_angle_and_its_words_bare() {
-    use ProblemCode::{Unexpected, UnexpectedEnd, UnknownWord, WrongCount};
+    use ProblemCode::{OtherQuantity, Unexpected, UnexpectedEnd, UnknownWord, WrongCount};
     check_refused(&[
         // The angle stands before `about` or behind `by`, not in both places.
         ("30deg about y by 25deg", UnknownWord, "y", "y is not"),
@@ -255,11 +255,11 @@ fn a_label_behind_an_announcement_is_not_passed_over() {
             "mrad",
             "what these",
         ),
-        ("gibbs neg: 0 0 0.3", UnknownWord, "neg", "a negative"),
-        ("mrp inv: 0 0 0.3", UnknownWord, "inv", "an inverse"),
+        ("gibbs neg: 0 0 0.3", OtherQuantity, "neg", "a negative"),
+        ("mrp inv: 0 0 0.3", OtherQuantity, "inv", "an inverse"),
         (
             "quaternion inverse: 0.8 0 0 0.6",
-            UnknownWord,
+            OtherQuantity,
             "inverse",
             "an inverse",
         ),

@@ -5,7 +5,7 @@ use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
 use crate::text::record::names::{is_holder, words_of};
 use crate::text::vocabulary::constructors::{Call, call, is_matrix, order_in_name};
-use crate::text::vocabulary::labels::{LabelWord, meanings_of};
+use crate::text::vocabulary::labels::is_derived;
 
 /// What numbers are by their name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,9 +172,7 @@ impl Meaning {
             self.role = Some(Role::Rate);
             return;
         }
-        let derived = meanings_of(key)
-            .iter()
-            .any(|word| matches!(word, LabelWord::Derived(_)))
+        let derived = is_derived(key)
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));

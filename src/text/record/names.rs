@@ -46,7 +46,7 @@ pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
 }
 
 /// Names that are written in another way.
-const ALIASES: [(&str, &str); 10] = [
+const ALIASES: [(&str, &str); 11] = [
     ("hdg", "heading"),
     ("φ₁", "phi1"),
     ("φ1", "phi1"),

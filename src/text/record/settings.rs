@@ -8,7 +8,8 @@ use crate::text::record::group::Quantities;
 use crate::text::record::names::words_of;
 use crate::text::record::quantity::Value;
 use crate::text::record::scan::{Mark, Token};
-use crate::text::vocabulary::constructors::{is_derived_label, order_in_name};
+use crate::text::vocabulary::constructors::order_in_name;
+use crate::text::vocabulary::labels::is_derived;
 
 /// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
 #[derive(Default)]
@@ -43,7 +44,7 @@ impl Settings {
         }
         // `{"frame": "extrinsic", "roll": …}`, `inverse: ZYX roll=…`.
         let is_frame = ["intrinsic", "extrinsic"].contains(&value.text);
-        self.is_doubtful |= is_frame || is_derived_label(value.key);
+        self.is_doubtful |= is_frame || is_derived(value.key);
         let is_known_order = |text: &str| {
             let lower = text.to_ascii_lowercase();
             order_in_name(text).is_some()

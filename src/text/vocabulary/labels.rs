@@ -117,6 +117,14 @@ pub(crate) fn meanings_of(name: &str) -> Vec<LabelWord> {
     meanings
 }
 
+/// Whether a name says that what it names was made of a rotation: `qInv`, `R.T`, `rate`.
+#[cfg(feature = "whole")]
+pub(crate) fn is_derived(name: &str) -> bool {
+    meanings_of(name)
+        .iter()
+        .any(|word| matches!(word, LabelWord::Derived(_)))
+}
+
 /// What the first words say, and how many they are: the most that say something together.
 fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
     if let [one, between, other, ..] = words {

@@ -11,7 +11,7 @@ mod word;
 
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{index, is_checksum, name, prompt, row_label};
-use crate::text::vocabulary::labels::{LabelWord, meanings_of};
+use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -312,11 +312,7 @@ impl<'t> Scanner<'t> {
             // What is done with a list: `[…].T`, `(…).inv()`.
             '.' if self.touching() == Some(Mark::Close) => {
                 let length = 1 + name(&rest[1..]);
-                if &rest[..length] == ".T"
-                    || meanings_of(&rest[..length])
-                        .iter()
-                        .any(|word| matches!(word, LabelWord::Derived(_)))
-                {
+                if &rest[..length] == ".T" || is_derived(&rest[..length]) {
                     self.push(Mark::Operator, length);
                 } else {
                     self.at += 1;

@@ -74,9 +74,12 @@ fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
         ProblemCode::MixedNames
         | ProblemCode::MissingComponent
         | ProblemCode::DuplicateComponent
+        | ProblemCode::OtherQuantity
+        | ProblemCode::NotAQuaternion
         | ProblemCode::UnknownSequence
         | ProblemCode::NotANumber
         | ProblemCode::Infinite => holds_more,
+        ProblemCode::TwoMeanings => record.rotations.iter().any(is_of_format),
         _ => false,
     }
 }
@@ -168,7 +171,8 @@ fn beside_plain(
         .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
     // What a format prints has its own meaning, whatever the numbers alone are read as.
     let of_format = || {
-        let has_own_order = matches!(plain.form, Form::Quaternion | Form::Matrix(_));
+        let has_own_order =
+            matches!(plain.form, Form::Quaternion | Form::Matrix(_)) && !plain.is_far_from_unit();
         read.iter()
             .position(|(found, _)| !has_own_order && is_of_format(found, declared))
     };

@@ -190,7 +190,12 @@ fn what_is_no_such_vector_is_refused() {
             "roll",
             "two descriptions of a rotation are mixed here",
         ),
-        ("gibbs_rate: 0 0 0.4", UnknownWord, "gibbs_rate", "a rate"),
+        (
+            "gibbs_rate: 0 0 0.4",
+            ProblemCode::OtherQuantity,
+            "gibbs_rate",
+            "a rate",
+        ),
         // One name for two vectors; a call says which.
         ("rodrigues 0 0 0.4", UnknownWord, "rodrigues", "OpenCV"),
         (

@@ -92,12 +92,6 @@ fn a_comment_that_speaks_of_something_else_stops_the_text() {
         ),
         ("0.6 0 0 0.8 # JPL", OtherQuantity, "# JPL", "declare JPL"),
         (
-            "0.6 0 0 0.8 # world to body",
-            OtherQuantity,
-            "# world to body",
-            "world to body",
-        ),
-        (
             "0.6 0 0 0.8 # left-handed",
             OtherQuantity,
             "# left-handed",

@@ -4,7 +4,10 @@ use crate::asked::{facts, read};
 use crate::checked::{Refusal, attitude, check_read, check_refusal, check_refused};
 use crate::support::assert_close;
 use quatlas::ProblemCode::{OtherQuantity, UnknownComponent};
-use quatlas::{ComponentOrder, Convention, Fact, Field, OrderFromText, OrderSource, Outcome};
+use quatlas::{
+    ComponentOrder, Convention, Direction, Fact, Field, OrderFromText, OrderSource, Outcome,
+    ReadReport,
+};
 use quatlas::{ReadRequest, Request, analyze};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -240,36 +243,16 @@ fn is_read(text: &str, convention: Convention) -> bool {
 #[wasm_bindgen_test(unsupported = test)]
 fn another_convention_than_the_declared_one_is_asked_about() {
     use Convention as Of;
-    let turn = "[[0, -1, 0], [1, 0, 0], [0, 0, 1]]";
     // Under the first it is read, under the second it is refused.
     for (label, read, refused) in [
         ("JPL", Of::JPL, Of::HAMILTON),
         ("quaternion jpl", Of::JPL, Of::HAMILTON),
         ("qJpl", Of::JPL, Of::HAMILTON),
         ("q_hamilton", Of::HAMILTON, Of::JPL),
-        ("world_to_body", Of::JPL, Of::HAMILTON),
-        ("globalToLocal", Of::JPL, Of::HAMILTON),
-        ("q_w2c", Of::JPL, Of::HAMILTON),
-        ("q_GtoI", Of::JPL, Of::HAMILTON),
-        ("body_from_world", Of::JPL, Of::HAMILTON),
-        ("q_BW", Of::JPL, Of::HAMILTON),
-        ("bodyToWorld", Of::HAMILTON, Of::JPL),
-        ("q_world_body", Of::HAMILTON, Of::JPL),
-        ("c2w", Of::HAMILTON, Of::JPL),
     ] {
         let text = format!("{label}: 0.6 0 0 0.8");
         assert!(is_read(&text, read), "{text}");
         assert!(!is_read(&text, refused), "{text}");
-    }
-    // A matrix has a direction of its own, which here is body to world in both.
-    for (label, is_told) in [
-        ("world_to_body", false),
-        ("view_matrix", false),
-        ("R_WB", true),
-    ] {
-        let text = format!("{label} = {turn}");
-        assert_eq!(is_read(&text, Of::HAMILTON), is_told, "{text}");
-        assert_eq!(is_read(&text, Of::JPL), is_told, "{text}");
     }
     check_refused(&[
         ("JPL: 0 0 0.6 0.8", OtherQuantity, "JPL", "declare JPL"),
@@ -358,5 +341,41 @@ fn a_vector_has_labels_too() {
             panic!("{text}");
         };
         assert_close(text, &report.vector, &[1.0, 2.0, 3.0], 0.0);
+    }
+}
+
+/// The direction that a label tells wins over the declared one, and is told.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_direction_in_a_label_is_used_and_told() {
+    use Direction::{BodyToWorld, WorldToBody};
+    let told = |report: &ReadReport| {
+        report.notes.iter().find_map(|note| match &note.fact {
+            Fact::DirectionFromText(fact) => Some(fact.direction),
+            _ => None,
+        })
+    };
+    for (label, direction) in [
+        ("world_to_body", WorldToBody),
+        ("globalToLocal", WorldToBody),
+        ("q_w2c", WorldToBody),
+        ("q_GtoI", WorldToBody),
+        ("body_from_world", WorldToBody),
+        ("bodyToWorld", BodyToWorld),
+        ("c2w", BodyToWorld),
+    ] {
+        // A quarter turn about z: of the body in the world, or of the world in the body.
+        let signed = match direction {
+            BodyToWorld => 1.0,
+            WorldToBody => -1.0,
+        };
+        let text = format!("{label}: 1/√2 0 0 1/√2");
+        let report = read(&text, "1 0 0", Convention::HAMILTON);
+        assert_eq!(report.quaternion.convention.direction, direction, "{text}");
+        assert_eq!(report.hamilton.unit.z.signum(), signed, "{text}");
+        let differs = direction != BodyToWorld;
+        assert_eq!(told(&report), differs.then_some(direction), "{text}");
+        let text = format!("{label} = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]");
+        let report = read(&text, "1 0 0", Convention::HAMILTON);
+        assert_eq!(report.hamilton.unit.z.signum(), signed, "{text}");
     }
 }

@@ -10,7 +10,7 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 #[wasm_bindgen_test(unsupported = test)]
 fn what_stands_before_a_list_is_read_or_refused() {
-    use ProblemCode::{OtherQuantity, Unexpected, UnknownWord};
+    use ProblemCode::{Unexpected, UnknownWord};
     check_refused(&[
         (
             "rotvec sqrt(3) [1, 0, 0]",
@@ -196,7 +196,7 @@ fn one_matrix_or_call_in_json_is_read() {
             "0.3rad about y",
         ),
     ]);
-    use ProblemCode::{NotARotation, Unexpected, UnknownWord};
+    use ProblemCode::{NotARotation, OtherQuantity, Unexpected};
     let scaled = r#"{"K": [500, 0, 320, 0, 500, 240, 0, 0, 1]}"#;
     check_refused(&[
         (

@@ -112,7 +112,7 @@ fn what_a_library_prints_by_axes_leaves_its_layout_open() {
 fn what_is_not_three_vectors_is_refused() {
     use ProblemCode::{
         DuplicateComponent, MissingComponent, MixedNames, OtherQuantity, Unexpected,
-        UnknownComponent, UnknownWord, WrongCount,
+        UnknownComponent, WrongCount,
     };
     check_refused(&[
         (

@@ -70,7 +70,7 @@ fn a_sequence_told_with_its_frame_orders_named_angles() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_sequence_that_named_angles_cannot_have_is_refused() {
-    use ProblemCode::{MixedNames, OtherQuantity, UnknownSequence, UnknownWord};
+    use ProblemCode::{MixedNames, UnknownSequence, UnknownWord};
     check_refused(&[
         (
             "XYZ roll=25deg pitch=-35deg yaw=50deg",
@@ -236,7 +236,7 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
         ),
         (
             "rate roll=0.4 pitch=-0.6 yaw=0.9",
-            OtherQuantity,
+            ProblemCode::OtherQuantity,
             "rate",
             "a rate",
         ),
@@ -271,7 +271,7 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn words_of_two_descriptions_are_refused_at_the_second() {
-    use ProblemCode::{UnknownSequence, UnknownWord};
+    use ProblemCode::{OtherQuantity, UnknownSequence, UnknownWord};
     check_refused(&[
         ("rpy mrp 0.1 0.2 0.3", UnknownWord, "mrp", "mrp is not"),
         (

@@ -2,7 +2,7 @@
 
 use crate::asked::{AS_RADIANS, RADIANS, facts, read, unit_of};
 use crate::checked::{check_none_offered, check_offered, check_read, check_refusal, check_refused};
-use quatlas::ProblemCode::{Unexpected, UnknownWord, WrongCount};
+use quatlas::ProblemCode::{TwoMeanings, Unexpected, UnknownWord, WrongCount};
 use quatlas::{
     ComponentOrder, Convention, Fact, Field, OrderSource, Remedy, parse_quaternion, parse_vector,
 };
@@ -54,7 +54,7 @@ fn a_semicolon_parts_a_scalar_from_a_vector() {
             assert_eq!([q.w, q.i, q.j, q.k], [0.92, 0.1, -0.2, 0.38], "{text}");
         }
     }
-    check_refused(&[("(1.57; 0, 0, 1)", Unexpected, "(1.57; 0, 0, 1)", "axis")]);
+    check_refused(&[("(1.57; 0, 0, 1)", TwoMeanings, "(1.57; 0, 0, 1)", "axis")]);
 }
 
 #[wasm_bindgen_test(unsupported = test)]

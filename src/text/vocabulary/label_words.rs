@@ -204,9 +204,6 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ),
 ];
 
-/// What stands before the names of two frames, of which the second is turned in the first: `R_world_body`, `Rcw`.
-pub(super) const OPERATORS: [&str; 3] = ["r", "q", "t"];
-
 /// Names of the frame that a rotation is told in, and of the one that turns.
 pub(super) const WORLDS: &str =
     "world w global g inertial i nav navigation n map earth ecef eci ned enu odom ground";

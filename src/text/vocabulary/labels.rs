@@ -7,7 +7,7 @@ use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::text::vocabulary::constructors::order_in_name;
-use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, OPERATORS, STEMS, WORDS, WORLDS};
+use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, STEMS, WORDS, WORLDS};
 pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
 /// The words of a name: its parts between marks, capitals (`qInv`) and digits (`c2w`).
@@ -164,38 +164,14 @@ fn meaning_ahead(words: &[String]) -> (Option<LabelWord>, usize) {
     }
 }
 
-/// What two frames at the start say, and how many words they are: `R_world_body`, `world_R_body`, `R_wb` and `Rwb`
-/// lead from the body to the world.
+/// The frames at the start of which the first is led to the second, and how many words they are: `GtoI`. What stands
+/// as an index, as in `R_WB`, is read by some as from W to B and by others the other way round: it says nothing.
 fn frames_ahead(words: &[String]) -> Option<(LabelWord, usize)> {
-    let is_operator = |word: &str| OPERATORS.contains(&word);
-    let found = match words {
-        [one, outer, inner, ..] if is_operator(one) => Some((between_frames(inner, outer), 3)),
-        [outer, two, inner, ..] if is_operator(two) => Some((between_frames(inner, outer), 3)),
-        [one, pair, ..] if is_operator(one) => Some((of_letters(pair), 2)),
-        // `q_GtoI`
-        [one, other, ..] => one
-            .strip_suffix("to")
-            .map(|from| (between_frames(from, other), 2)),
-        [one] => {
-            let pair = one
-                .split_at_checked(1)
-                .filter(|(first, _)| is_operator(first));
-            pair.map(|(_, pair)| (of_letters(pair), 1))
-        }
-        [] => None,
+    let [one, other, ..] = words else {
+        return None;
     };
-    let (direction, length) = found?;
-    Some((direction?, length))
-}
-
-/// Two letters of frames, of which the second is turned in the first.
-fn of_letters(pair: &str) -> Option<LabelWord> {
-    let direction = match pair {
-        "wb" | "wc" | "wi" => Direction::BodyToWorld,
-        "bw" | "cw" | "iw" => Direction::WorldToBody,
-        _ => return None,
-    };
-    Some(LabelWord::Direction(direction))
+    let from = one.strip_suffix("to")?;
+    Some((between_frames(from, other)?, 2))
 }
 
 /// What a label names in place of a rotation, where it does.
@@ -326,10 +302,8 @@ mod tests {
         assert_eq!(first("worldFromCam"), Some(Leads(Direction::BodyToWorld)));
         assert_eq!(first("c2w"), Some(Leads(Direction::BodyToWorld)));
         assert_eq!(first("GtoI"), Some(Leads(Direction::WorldToBody)));
-        assert_eq!(first("R_world_cam"), Some(Leads(Direction::BodyToWorld)));
-        assert_eq!(first("body_q_world"), Some(Leads(Direction::WorldToBody)));
-        assert_eq!(first("R_WB"), Some(Leads(Direction::BodyToWorld)));
-        assert_eq!(first("Rcw"), Some(Leads(Direction::WorldToBody)));
+        // An index is read either way by one or the other.
+        assert_eq!(first("R_WB"), None);
         assert_eq!(first("body_to_camera"), None);
         assert_eq!(first("qdot"), Some(Made(Derived::Rate)));
         assert_eq!(first("R_t"), Some(Made(Derived::Transposed)));

@@ -118,7 +118,7 @@ pub(crate) fn of_record(
         });
     }
     told.extend(found_in_text(&record, found, &attitude, declared, text));
-    if found.by_columns {
+    if found.by_columns && plain.is_none() {
         told.push(Fact::ColumnsFromText);
     }
     if let Some(format) = found.format.filter(|format| format.marks.is_empty()) {

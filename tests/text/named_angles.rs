@@ -383,12 +383,6 @@ fn brackets_and_marks_around_words_are_not_passed_over() {
             "unexpected “>”",
         ),
         (
-            "<origin rpy=0.1 0.2 0.3/>",
-            UnexpectedEnd,
-            "",
-            "the text ends where a number is expected",
-        ),
-        (
             r#"q=[1, 0, 0, 0] rpy="0.1 0.2 0.3""#,
             UnknownComponent,
             "rpy",

@@ -61,7 +61,8 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
                 .filter(|word| word != "xyz")
                 .any(|word| is_sequence(&word))
         };
-        if matches!(parts, [Part::Euler(_)]) && format.is_none() && has_sequence() {
+        let is_denied = context.letters.is_some() || has_sequence();
+        if matches!(parts, [Part::Euler(_)]) && format.is_none() && is_denied {
             continue;
         }
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();

@@ -382,11 +382,5 @@ fn brackets_and_marks_around_words_are_not_passed_over() {
             ">",
             "unexpected “>”",
         ),
-        (
-            r#"q=[1, 0, 0, 0] rpy="0.1 0.2 0.3""#,
-            UnknownComponent,
-            "rpy",
-            "unknown argument",
-        ),
     ]);
 }

@@ -177,6 +177,9 @@ pub(crate) fn record(
         rows = table.rows;
         head = Some(table.head);
     }
+    if rows.is_empty() {
+        rows = quantities.take_first_row(text);
+    }
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);

@@ -215,7 +215,11 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         (9, _) if group.is_of_call && group.rows.len() == 1 => none,
         (9, _) => parts(&[Part::Rows]).unwrap_or(none),
         (12, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(12)]).unwrap_or(none),
-        (12, None) if own.is_empty() => parts(&[Part::HomogeneousRows(12)]).unwrap_or(none),
+        // Of bare numbers no other reading may be possible.
+        (12, None) if own.is_empty() => match parts(&[Part::Rows, Part::Position]) {
+            Some(_) => none,
+            None => parts(&[Part::HomogeneousRows(12)]).unwrap_or(none),
+        },
         (12, _) => only([
             parts(&[Part::HomogeneousRows(12)]),
             parts(&[Part::Rows, Part::Position]),

@@ -13,7 +13,7 @@ use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::mend::written::rotation_text;
 use crate::text::{
     DeclaredFormat, FORMATS, PLAIN, ParsedRotation, Record, RecordRotation, RotationText, RowMarks,
-    What, record,
+    What, record_of,
 };
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ pub(crate) fn of_record(
         order: declared.convention.order,
         library: declared.library.map(|library| library.id),
     };
-    let record = record(text, of_text, FORMATS, PLAIN);
+    let record = record_of(text, of_text, FORMATS, PLAIN);
     let mut read: Vec<(&RecordRotation, Attitude)> = Vec::new();
     let mut fault = None;
     for found in record.rotations.iter().filter(|found| !found.is_derived) {

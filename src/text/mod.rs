@@ -133,7 +133,7 @@ use crate::text::description::{list, quaternion};
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record};
+pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
 use nalgebra::Vector3;
 

@@ -136,7 +136,7 @@ pub(crate) struct DeclaredFormat<'d> {
 }
 
 /// What is found in a text; `declared` is the order of four numbers where nothing tells it.
-pub(crate) fn record(
+pub(crate) fn record_of(
     text: &str,
     declared: DeclaredFormat<'_>,
     formats: &'static [&'static [Format]],

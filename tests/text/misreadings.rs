@@ -101,8 +101,8 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     // Which of two rotations is meant is not said.
     (
         r#"<origin rpy="0 0 1"/> <origin rpy="0 0 2"/>"#,
-        ProblemCode::MixedNames,
-        r#"rpy="0 0 2""#,
+        ProblemCode::SeveralRotations,
+        r#"<origin rpy="0 0 1"/> <origin rpy="0 0 2"/>"#,
     ),
     (
         "orientation:\n x: 0\n y: 0\n z: 0\n w: 1\norientation:\n x: 1\n y: 0\n z: 0\n w: 2",

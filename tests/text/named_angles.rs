@@ -331,9 +331,7 @@ fn words_of_two_descriptions_are_refused_at_the_second() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn brackets_and_marks_around_words_are_not_passed_over() {
-    use ProblemCode::{
-        UnclosedBracket, Unexpected, UnexpectedEnd, UnknownComponent, UnknownWord, UnmatchedBracket,
-    };
+    use ProblemCode::{UnclosedBracket, Unexpected, UnknownWord, UnmatchedBracket};
     check_refused(&[
         ("[rpy 0.1 0.2 0.3", UnclosedBracket, "[", "never closed"),
         (
@@ -381,18 +379,6 @@ fn brackets_and_marks_around_words_are_not_passed_over() {
             Unexpected,
             ">",
             "unexpected “>”",
-        ),
-        (
-            "<origin rpy=0.1 0.2 0.3/>",
-            UnexpectedEnd,
-            "",
-            "the text ends where a number is expected",
-        ),
-        (
-            r#"q=[1, 0, 0, 0] rpy="0.1 0.2 0.3""#,
-            UnknownComponent,
-            "rpy",
-            "unknown argument",
         ),
     ]);
 }

@@ -219,7 +219,6 @@ const REMEDIES: &[Remedy] = &[
     Remedy::SameUnit,
     Remedy::WriteZero,
     Remedy::WriteIdentity,
-    Remedy::RotationPart,
     Remedy::RestoreAxis,
     Remedy::NearestRotation,
 ];

@@ -98,6 +98,37 @@ impl<'t> Quantities<'t> {
 }
 
 impl<'t> Quantities<'t> {
+    /// The rows of a file without names above them, of which only the first is left; none where there is one.
+    pub(crate) fn take_first_row(&mut self, text: &str) -> Vec<Span> {
+        let is_file = |group: &&mut Group<'_>| {
+            let first = group.rows[0];
+            group.is_line
+                && group.rows.len() > 1
+                && first >= FEWEST_OF_A_ROW
+                && group.rows.iter().all(|row| *row == first)
+        };
+        let Some(group) = self.groups.iter_mut().find(is_file) else {
+            return Vec::new();
+        };
+        let inside = &text[group.span.start..group.span.end];
+        let rows: Vec<Span> = inside
+            .lines()
+            .map(|line| {
+                let start = line.as_ptr() as usize - text.as_ptr() as usize;
+                Span::from(start..start + line.len())
+            })
+            .filter(|span| !text[span.start..span.end].trim().is_empty())
+            .collect();
+        if rows.len() != group.rows.len() {
+            return Vec::new();
+        }
+        let first = group.rows[0];
+        group.numbers.truncate(first);
+        group.rows = vec![first];
+        group.span = rows[0];
+        rows
+    }
+
     /// With the groups of a table in place of those that stand inside it.
     pub(crate) fn replace(&mut self, inside: impl Fn(Span) -> bool, groups: Vec<Group<'t>>) {
         self.groups.retain(|group| !inside(group.span));
@@ -128,6 +159,9 @@ impl Call {
         }
     }
 }
+
+/// The fewest numbers of a row of a file: three of a position and four of a quaternion.
+const FEWEST_OF_A_ROW: usize = 7;
 
 /// Whether lines inside mean anything.
 #[derive(Clone, Copy, PartialEq, Eq)]

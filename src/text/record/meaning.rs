@@ -89,7 +89,7 @@ const ROLES: &[(Role, &str)] = &[
          distortion coeffs color colour colors rgba rgb gravity uncertainty ± angvel linvel omega rate rates \
          rate0 omegas force torque wrench residual stdev std sigma variance skew pid gains percent \
          probability speed speeds wheel wheels shear bias noise limits lower upper effort jacobian hessian \
-         inertia mrp gibbs crp turns mrad mdeg arcsec arcmin",
+         inertia mrp gibbs crp δ turns mrad mdeg arcsec arcmin",
     ),
     (
         Role::Derived,
@@ -102,6 +102,10 @@ fn role_of_word(word: &str) -> Option<Role> {
     // `MLMatrix44`, `vec3`: sizes say nothing.
     let bare = word.trim_end_matches(|digit: char| digit.is_ascii_digit());
     let word = if bare == "matrix" { bare } else { word };
+    // Four numbers of a vector have an order of their own.
+    if word.starts_with("vector4") || word.starts_with("vec4") {
+        return Some(Role::Vector);
+    }
     if word.contains("euler") {
         return Some(Role::Euler);
     }

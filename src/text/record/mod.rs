@@ -74,7 +74,7 @@ use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::scan::scan;
-use crate::text::record::settings::{Settings, is_balanced, is_plain};
+use crate::text::record::settings::{Settings, has_duplicate, is_balanced, is_plain};
 use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
 use std::collections::BTreeSet;
@@ -179,6 +179,9 @@ pub(crate) fn record_of(
         rows = table.rows;
         head = Some(table.head);
     }
+    if rows.is_empty() {
+        rows = quantities.take_first_row(text);
+    }
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     let numbers = quantities.named.iter().flat_map(|named| &named.members);
@@ -215,6 +218,7 @@ pub(crate) fn record_of(
     all.extend(sums.iter().cloned());
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful
+        || is_one_line && has_duplicate(&quantities)
         || is_one_line && !text.contains("*^") && is_plain(&quantities, &context)
         || is_one_line
             && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));

@@ -161,6 +161,14 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     if is_component || is_unnamed || (group.has_lengths && numbers.len() == 4) {
         return none;
     }
+    // Rows of different lengths: only the last of a list that was wrapped is shorter.
+    let is_wrapped = group.rows.split_last().is_none_or(|(last, before)| {
+        let first = before.first().unwrap_or(last);
+        before.iter().all(|row| row == first) && last <= first
+    });
+    if !is_wrapped && numbers.len() <= 8 {
+        return none;
+    }
     // A matrix has no unit.
     if group.unit.is_some() && numbers.len() == 9 {
         return none;
@@ -207,6 +215,11 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         (9, _) if group.is_of_call && group.rows.len() == 1 => none,
         (9, _) => parts(&[Part::Rows]).unwrap_or(none),
         (12, _) if meaning.by_columns => parts(&[Part::HomogeneousColumns(12)]).unwrap_or(none),
+        // Of bare numbers no other reading may be possible.
+        (12, None) if own.is_empty() => match parts(&[Part::Rows, Part::Position]) {
+            Some(_) => none,
+            None => parts(&[Part::HomogeneousRows(12)]).unwrap_or(none),
+        },
         (12, _) => only([
             parts(&[Part::HomogeneousRows(12)]),
             parts(&[Part::Rows, Part::Position]),

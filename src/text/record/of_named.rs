@@ -61,7 +61,12 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
                 .filter(|word| word != "xyz")
                 .any(|word| is_sequence(&word))
         };
-        if matches!(parts, [Part::Euler(_)]) && format.is_none() && has_sequence() {
+        let is_other = matches!(
+            meaning.role,
+            Some(Role::Quaternion | Role::RotationVector | Role::AxisAngle | Role::Matrix)
+        );
+        let is_denied = context.letters.is_some() || is_other || has_sequence();
+        if matches!(parts, [Part::Euler(_)]) && format.is_none() && is_denied {
             continue;
         }
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
@@ -79,7 +84,14 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
                 other => *other,
             })
             .collect();
-        let Some(made) = made(&parts, &numbers, said) else {
+        // Under the name of an orientation four components are one, whatever their norm.
+        let is_orientation = matches!(meaning.role, Some(Role::Rotation | Role::Quaternion));
+        let any_norm = || {
+            matches!(parts[..], [Part::Quaternion(None)] if is_orientation)
+                .then(|| made(&[Part::ScaledQuaternion(said.order.0)], &numbers, said))
+                .flatten()
+        };
+        let Some(made) = made(&parts, &numbers, said).or_else(any_norm) else {
             continue;
         };
         left.retain(|member| !wanted.contains(&member.name.as_str()));

@@ -87,7 +87,10 @@ fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
             Made::Rotation(ParsedRotation::Quaternion(ParsedQuaternion {
                 quaternion: Quaternion::new(w, x, y, z),
                 order,
-                order_source: OrderSource::Format,
+                order_source: match said.order {
+                    (_, OrderSource::Named) => OrderSource::Named,
+                    _ => OrderSource::Format,
+                },
                 unknown_constructor: None,
                 is_announced: true,
                 unexplained_label: None,

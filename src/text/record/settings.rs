@@ -44,7 +44,8 @@ impl Settings {
         }
         // `{"frame": "extrinsic", "roll": …}`, `inverse: ZYX roll=…`.
         let is_frame = ["intrinsic", "extrinsic"].contains(&value.text);
-        self.is_doubtful |= is_frame || is_derived(value.key);
+        let is_sequence = value.text.parse::<EulerSequence>().is_ok();
+        self.is_doubtful |= is_frame || (is_sequence && is_derived(value.key));
         let is_known_order = |text: &str| {
             let lower = text.to_ascii_lowercase();
             order_in_name(text).is_some()
@@ -115,6 +116,20 @@ pub(crate) fn is_plain(quantities: &Quantities<'_>, context: &Context) -> bool {
         _ => false,
     };
     is_alone && !is_marked
+}
+
+/// Whether a component stands there twice, as in `{w: 0.9, z: 0.4, x: 0, y: 0, z: 0}`.
+pub(crate) fn has_duplicate(quantities: &Quantities<'_>) -> bool {
+    quantities.named.windows(2).any(|pair| {
+        let [one, next] = pair else {
+            return false;
+        };
+        let is_again = |name: &str| one.members.iter().any(|member| member.name == name);
+        one.scope == next.scope
+            && one.stem == next.stem
+            && next.members.len() <= 2
+            && next.members.iter().all(|member| is_again(&member.name))
+    })
 }
 
 /// Whether every bracket is closed.

@@ -1,5 +1,5 @@
 //! What programs print, format by format: a text of each with three different angles, whose rotation was
-//! computed from the printed numbers with NumPy and SciPy.
+//! computed from the printed numbers with `NumPy` and `SciPy`.
 
 use crate::asked::read_request;
 use quatlas::{Convention, Fact, Outcome, Request, analyze};

@@ -129,8 +129,10 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
         std::mem::discriminant(&other.rotation) == std::mem::discriminant(&found.rotation)
     };
     // Of two quaternions one is another rotation; angles beside a quaternion should be the same one.
+    // Formats write no turn for what was never set.
+    let is_unset = |other: &RecordRotation| is_identity(other) && is_of_format(found, declared);
     let has_another = |(other, differs): &(&RecordRotation, f64)| {
-        *differs > SAME_WITHIN_DEG && is_kind(other) && !is_identity(other)
+        *differs > SAME_WITHIN_DEG && is_kind(other) && !is_unset(other)
     };
     if others.iter().any(has_another) {
         return Some(Err(several_rotations(record, text)));

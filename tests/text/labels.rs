@@ -256,12 +256,6 @@ fn another_convention_than_the_declared_one_is_asked_about() {
     }
     check_refused(&[
         ("JPL: 0 0 0.6 0.8", OtherQuantity, "JPL", "declare JPL"),
-        (
-            "world_to_body: 0.6 0 0 0.8",
-            OtherQuantity,
-            "world_to_body",
-            "world to body",
-        ),
         // Of angles nothing is declared.
         (
             "rotvec world_to_body: 0 0 0.7",

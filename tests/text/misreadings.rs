@@ -106,23 +106,13 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
     ),
     (
         "orientation:\n x: 0\n y: 0\n z: 0\n w: 1\norientation:\n x: 1\n y: 0\n z: 0\n w: 2",
-        ProblemCode::MixedNames,
-        "1",
+        ProblemCode::SeveralRotations,
+        "orientation:\n x: 0\n y: 0\n z: 0\n w: 1\norientation:\n x: 1\n y: 0\n z: 0\n w: 2",
     ),
     (
         "a.orientation.w=1 a.orientation.x=2 b.orientation.w=3 b.orientation.x=4",
         ProblemCode::MixedNames,
         "3",
-    ),
-    (
-        r#"{"orientation": [0, 0, 0, 1], "rotation": [1, 0, 0, 0]}"#,
-        ProblemCode::MixedNames,
-        "[1, 0, 0, 0]",
-    ),
-    (
-        r#"{"quaternion": [0, 0, 0, 1], "rpy": [1, 0, 0]}"#,
-        ProblemCode::MixedNames,
-        "[1, 0, 0]",
     ),
     // Words that may change the numbers.
     (

@@ -2,7 +2,7 @@
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
-use crate::text::record::format::{Angles, Field, Format, Part, Unit};
+use crate::text::record::format::{Angles, DECLARED_ONLY, Field, Format, Part, Unit};
 
 /// Degrees about moving z, y, x, in this order.
 const YAW_PITCH_ROLL: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Degrees)));
@@ -97,7 +97,7 @@ pub(crate) const DEVICES: &[Format] = &[
     Format {
         id: "dji",
         name: "DJI",
-        marks: &["dji"],
+        marks: DECLARED_ONLY,
         order: Some(ScalarFirst),
         fields: &[],
     },

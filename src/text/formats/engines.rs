@@ -131,7 +131,7 @@ pub(crate) const ENGINES: &[Format] = &[
     Format {
         id: "unity",
         name: "Unity",
-        marks: &["~Quaternion.Euler(|localeulerangles|unityengine|unity"],
+        marks: &["~Quaternion.Euler(|localeulerangles|unityengine"],
         order: Some(ScalarLast),
         fields: &[
             Field::Under(

@@ -18,15 +18,23 @@ pub(crate) const SCENES: &[Format] = &[
     Format {
         id: "gltf-node-rotation",
         name: "glTF",
-        marks: &["node|nodes|mesh|children|name|skin", "matrix|rotation"],
-        order: Some(ScalarLast),
+        marks: &["node|nodes|mesh|children|name|skin", "matrix"],
+        order: None,
         fields: &[Field::Under("matrix", &[Part::HomogeneousColumns(16)])],
+    },
+    // `"mesh": 0, "rotation": [x, y, z, w], "translation": […]` (glTF 2.0, nodes).
+    Format {
+        id: "gltf-node-rotation",
+        name: "glTF",
+        marks: &["nodes|mesh|skin", "rotation", "translation|scale"],
+        order: Some(ScalarLast),
+        fields: &[],
     },
     // For row vectors: the rows as printed are the columns of the rotation (OpenUSD, GfMatrix4d).
     Format {
         id: "usd",
         name: "USD",
-        marks: &["matrix4d|xformop|quatf|quatd|quath"],
+        marks: &["matrix4d|xformop"],
         order: Some(ScalarFirst),
         fields: &[
             Field::Under("matrix4d|transform", &[Part::HomogeneousColumns(16)]),

@@ -54,6 +54,7 @@ impl Context {
     pub(crate) fn said(&self, meaning: &Meaning) -> Said<'_> {
         Said {
             order: self.order(meaning),
+            order_of_text: self.order,
             unit: meaning.unit.or(self.unit),
             sequence: meaning.sequence,
             letters: self.letters.as_deref(),

@@ -279,7 +279,9 @@ fn has_two_descriptions(words: &[String]) -> bool {
     let tells_sequence = words.iter().any(is_sequence);
     let is_named = is(&["rpy", "ypr", "rotvec", "rvec", "axisangle"]);
     let is_framed = is(&["intrinsic", "extrinsic"]);
-    is_named && (tells_sequence || is_framed)
+    // `rpy axis=…`
+    let is_axis = is(&["axis", "angle"]) && is(&["rpy", "ypr", "rotvec", "rvec"]);
+    is_named && (tells_sequence || is_framed) || is_axis
 }
 
 /// Whether a call may make something else of its numbers: a verb that is not known, as in `flip(…)`.

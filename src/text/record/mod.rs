@@ -218,6 +218,7 @@ pub(crate) fn record_of(
     all.extend(sums.iter().cloned());
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful
+        || is_one_line && context.unit.is_some() && all.iter().any(is_quaternion)
         || is_one_line && has_duplicate(&quantities)
         || is_one_line && !text.contains("*^") && is_plain(&quantities, &context)
         || is_one_line
@@ -236,6 +237,10 @@ pub(crate) fn record_of(
         rows,
         head,
     }
+}
+
+fn is_quaternion(found: &Found) -> bool {
+    matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_)))
 }
 
 /// Whether the words by which a format is known stand in a text.

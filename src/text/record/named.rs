@@ -1,6 +1,7 @@
 //! Single numbers by name, those together that stand together.
 
-use crate::text::record::names::name_and_stem;
+use crate::convention::angle::AngleUnit;
+use crate::text::record::names::{name_and_stem, words_of};
 use crate::text::record::quantity::{Group, Named, NamedNumber, is_named, own_key};
 
 /// The single numbers by name, those together that stand together.
@@ -16,7 +17,11 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
             value: group.numbers[0],
             span: group.span,
             is_computed: group.is_computed || group.is_of_unknown_call,
-            unit: group.unit,
+            // `roll_deg=10`
+            unit: group.unit.or_else(|| {
+                let words = words_of(own_key(group));
+                words.last().and_then(|last| AngleUnit::named(last))
+            }),
         };
         let path = &group.path[..group.path.len() - 1];
         // Of several that are told in turn, `DesRoll: 1, Roll: 2, DesPitch: …`, that with the same stem.

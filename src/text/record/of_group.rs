@@ -169,6 +169,13 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     if !is_wrapped && numbers.len() <= 8 {
         return none;
     }
+    // Two orders are told.
+    if let (Some(own), Some(all)) = (meaning.order, said.order_of_text)
+        && own != all
+        && numbers.len() == 4
+    {
+        return none;
+    }
     // A matrix has no unit.
     if group.unit.is_some() && numbers.len() == 9 {
         return none;

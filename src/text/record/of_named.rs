@@ -72,6 +72,12 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
         let mut said = context.said(&meaning);
         let unit = members.iter().find_map(|member| member.unit);
+        if members
+            .iter()
+            .any(|member| member.unit.is_some() && member.unit != unit)
+        {
+            continue;
+        }
         said.unit = unit.or(said.unit);
         let of_names = |order| (order, OrderSource::Named);
         if let [Part::Quaternion(Some(order))] = parts {

@@ -24,6 +24,8 @@ const FULL_TURN_RAD: f64 = 6.29;
 pub(crate) struct Said<'s> {
     /// The order of four numbers, and how it was told.
     pub(crate) order: (ComponentOrder, OrderSource),
+    /// The order that the text tells once for all.
+    pub(crate) order_of_text: Option<ComponentOrder>,
     pub(crate) unit: Option<AngleUnit>,
     /// The sequence that a name tells.
     pub(crate) sequence: Option<EulerSequence>,

@@ -44,6 +44,15 @@ impl Settings {
         }
         // `{"frame": "extrinsic", "roll": …}`, `inverse: ZYX roll=…`.
         let is_frame = ["intrinsic", "extrinsic"].contains(&value.text);
+        // `transpose=true`, `"type": "JPL"`.
+        let is_turned = is(&[
+            "transpose",
+            "transposed",
+            "inverse",
+            "inverted",
+            "conjugate",
+        ]) && value.text.eq_ignore_ascii_case("true");
+        self.is_doubtful |= is_turned || value.text.eq_ignore_ascii_case("jpl");
         let is_sequence = value.text.parse::<EulerSequence>().is_ok();
         self.is_doubtful |= is_frame || (is_sequence && is_derived(value.key));
         let is_known_order = |text: &str| {
@@ -71,13 +80,14 @@ impl Settings {
         }
         if is(&["angle", "unit", "units", "angles", "degrees"]) {
             let word = value.text.to_ascii_lowercase();
-            self.unit = self
-                .unit
-                .or_else(|| match (word.as_str(), is(&["degrees"])) {
-                    ("true" | "1", true) => Some(AngleUnit::Degrees),
-                    ("false" | "0", true) => Some(AngleUnit::Radians),
-                    _ => AngleUnit::named(&word),
-                });
+            let told = match (word.as_str(), is(&["degrees"])) {
+                ("true" | "1", true) => Some(AngleUnit::Degrees),
+                ("false" | "0", true) => Some(AngleUnit::Radians),
+                _ => AngleUnit::named(&word),
+            };
+            // `unit: deg`, and then `units: rad`.
+            self.is_doubtful |= told.is_some() && self.unit.is_some() && told != self.unit;
+            self.unit = self.unit.or(told);
         }
         // `toArray()` of three.js and the `repr` of Blender: `(0.1, 0.2, 0.3, 'XYZ')`.
         let is_alone = value.key.is_empty()

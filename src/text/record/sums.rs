@@ -14,12 +14,13 @@ pub(crate) fn sums(text: &str) -> Vec<Found> {
         && let Some(next) = text[at..].find(begins_term)
     {
         let start = at + next;
-        let follows_word = text[..start]
+        // What touches it may be a sign, or make it a part of a name.
+        let is_apart = text[..start]
             .chars()
             .next_back()
-            .is_some_and(|before| before.is_alphanumeric() || "._".contains(before));
+            .is_none_or(|before| before.is_whitespace() || "([{=:,<|\"'".contains(before));
         let (length, parts) = sum(&text[start..]);
-        let rotation = parts.filter(|_| !follows_word).and_then(|parts| {
+        let rotation = parts.filter(|_| is_apart).and_then(|parts| {
             quaternion(&parts, (ComponentOrder::ScalarFirst, OrderSource::Named))
         });
         found.extend(rotation.map(|rotation| Found {

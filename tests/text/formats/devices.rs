@@ -102,8 +102,8 @@ const PRINTED: &[Printed] = &[
     },
     Printed {
         format: Some("DJI"),
-        library: None,
-        text: "dji attitude: [0.545918, 0.372456, 0.729608, 0.175845]",
+        library: Some("dji"),
+        text: "quaternion: [0.545918, 0.372456, 0.729608, 0.175845], ts: 7",
         rotation: [
             0.545918209537,
             0.372456142958,

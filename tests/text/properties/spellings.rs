@@ -31,7 +31,7 @@ fn read(text: &str) -> Result<ReadReport, TestCaseError> {
     report(&read_request(text, "1 2 3", Convention::HAMILTON))
 }
 
-/// The report without the texts that are offered in it.
+/// The report without the texts that are offered in it or quoted.
 fn without_texts(mut report: ReadReport) -> ReadReport {
     for note in &mut report.notes {
         if let Fact::AngleUnitAssumed(assumed) = &mut note.fact {
@@ -39,6 +39,9 @@ fn without_texts(mut report: ReadReport) -> ReadReport {
             assumed.in_radians = None;
         }
         note.suggestions = Box::default();
+        if let Fact::FoundInText(found) = &mut note.fact {
+            found.text.clear();
+        }
     }
     report
 }

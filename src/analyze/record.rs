@@ -14,8 +14,8 @@ use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::problem::{ProblemCode, Span, shorten};
 use crate::text::mend::written::rotation_text;
 use crate::text::{
-    DeclaredFormat, FORMATS, PLAIN, ParsedRotation, Record, RecordRotation, RotationText, RowMarks,
-    Told, What, record_of, says_nothing,
+    DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record, RecordRotation,
+    RotationText, RowMarks, Told, What, record_of, says_nothing,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -173,8 +173,10 @@ fn beside_plain(
         .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
     // What a format prints has its own meaning, whatever the numbers alone are read as.
     let of_format = || {
-        let has_own_order =
-            matches!(plain.form, Form::Quaternion | Form::Matrix(_)) && !plain.is_far_from_unit();
+        let is_told = |parsed: &ParsedQuaternion| parsed.order_source != OrderSource::Declared;
+        let has_own_order = !plain.is_far_from_unit()
+            && (matches!(plain.form, Form::Matrix(_))
+                || plain.parsed.as_ref().is_some_and(is_told));
         read.iter()
             .position(|(found, _)| !has_own_order && is_of_format(found, declared))
     };
@@ -256,8 +258,10 @@ fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
 
 /// Whether a mark divides numbers from the words before them, which are a label then: `pose: 1 0 0 0`.
 fn has_mark_before(text: &str, numbers: Span) -> bool {
-    let before = text[..numbers.start].trim_end();
-    before.ends_with([':', '=', '>', '(', '[', '{', '<', '"', '≈', '⟨'])
+    let (before, own) = text.split_at(numbers.start);
+    let before = before.trim_end();
+    own.starts_with(['(', '[', '{'])
+        || before.ends_with([':', '=', '>', '(', '[', '{', '<', '"', '≈', '⟨'])
 }
 
 /// How much of a label a note repeats, in characters.

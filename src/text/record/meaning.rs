@@ -176,7 +176,10 @@ impl Meaning {
             self.role = Some(Role::Rate);
             return;
         }
-        let derived = is_derived(key)
+        // Of a line that was typed at a prompt no two words are one name.
+        let derived = key
+            .split(|mark: char| !mark.is_alphanumeric() && !"_.'ᵀ".contains(mark))
+            .any(is_derived)
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));

@@ -205,7 +205,9 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             })
         }
         (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
-        (4, None | Some(Role::Rotation | Role::Quaternion | Role::Derived | Role::Matrix)) => {
+        (4, None | Some(Role::Rotation | Role::Quaternion | Role::Derived | Role::Matrix))
+            if !meaning.by_columns =>
+        {
             let rotation = quaternion(numbers, said.order);
             rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
         }

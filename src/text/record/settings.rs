@@ -52,7 +52,9 @@ impl Settings {
             "inverted",
             "conjugate",
         ]) && value.text.eq_ignore_ascii_case("true");
-        self.is_doubtful |= is_turned || value.text.eq_ignore_ascii_case("jpl");
+        // `"type": "conjugate"`
+        let is_made = is(&["type", "kind", "form"]) && is_derived(value.text);
+        self.is_doubtful |= is_turned || is_made || value.text.eq_ignore_ascii_case("jpl");
         let is_sequence = value.text.parse::<EulerSequence>().is_ok();
         self.is_doubtful |= is_frame || (is_sequence && is_derived(value.key));
         let is_known_order = |text: &str| {

@@ -10,7 +10,7 @@ mod number;
 mod word;
 
 use crate::problem::Span;
-use crate::text::record::scan::lexemes::{index, is_checksum, name, prompt, row_label};
+use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
 use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.
@@ -260,6 +260,19 @@ impl<'t> Scanner<'t> {
             '[' if index(rest) > 0 => {
                 let length = index(rest);
                 self.push(Mark::Word, length);
+            }
+            // An index of R before a line of numbers, of which only that of the first line is none of them.
+            '[' if matches!(
+                self.tokens.last().map(|last| last.mark),
+                Some(Mark::Line(_))
+            ) && element(rest) > 0
+                && rest[element(rest)..].starts_with(' ') =>
+            {
+                if rest.starts_with("[1]") {
+                    self.at += 3;
+                } else {
+                    self.push(Mark::Operator, element(rest));
+                }
             }
             // The rows and columns of R: `[1,]`, `[,2]`.
             '[' if row_label(rest) > 0 => self.at += row_label(rest),

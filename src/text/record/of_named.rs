@@ -1,5 +1,6 @@
 //! What single numbers are by their names.
 
+use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::OrderSource;
 use crate::problem::Span;

@@ -241,12 +241,6 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
             "a rate",
         ),
         // Two attributes, with and without their element.
-        (
-            r#"rpy="0 0 1" rpy="0 0 2""#,
-            MixedNames,
-            r#"rpy="0 0 2""#,
-            "more than one",
-        ),
         // Two words are no type of the first angle.
         (
             "body rate roll=1 pitch=2 yaw=3",

@@ -31,7 +31,7 @@ pub(crate) const ENGINES: &[Format] = &[
         id: "unreal",
         name: "Unreal",
         marks: &[
-            "frotator|ftransform|relativerotation|uobject|actor|unreal|ue4|ue5|fquat|fvector|rotator|logtemp|~LogBlueprintUserMessages",
+            "frotator|ftransform|relativerotation|unreal|ue4|ue5|fquat|fvector|rotator|logtemp|~LogBlueprintUserMessages",
         ],
         order: None,
         fields: &[

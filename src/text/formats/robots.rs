@@ -130,7 +130,7 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "staubli-rxryrz",
         name: "Stäubli VAL3",
-        marks: &["fatherid|shoulder|staubli|stäubli|val3|pointrx|pjoint"],
+        marks: &["fatherid|staubli|stäubli|val3|pointrx|pjoint"],
         order: None,
         fields: &[Field::Named("rx ry rz", &[XYZ])],
     },
@@ -189,7 +189,7 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "yaskawa-rxryrz",
         name: "Yaskawa Motoman",
-        marks: &["yaskawa|motoman|rconf|inform"],
+        marks: &["yaskawa|motoman|~RCONF"],
         order: None,
         fields: &[
             Field::Any(&[Part::Position, FIXED_XYZ]),
@@ -200,7 +200,7 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "ufactory-xarm",
         name: "UFACTORY xArm",
-        marks: &["xarm|lite6|get position|set position"],
+        marks: &["xarm|lite6|ufactory|get_position|set_position"],
         order: None,
         fields: &[Field::Under(
             "position",

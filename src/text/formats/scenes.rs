@@ -131,7 +131,7 @@ pub(crate) const SCENES: &[Format] = &[
     Format {
         id: "openscad",
         name: "OpenSCAD",
-        marks: &["multmatrix|cube|cylinder|translate|rotate"],
+        marks: &["~rotate([|~rotate(a|~multmatrix("],
         order: None,
         fields: &[
             Field::Under(

@@ -1,5 +1,6 @@
 //! What single numbers are by their names.
 
+use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::OrderSource;
 use crate::problem::Span;
@@ -72,10 +73,8 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
         let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
         let mut said = context.said(&meaning);
         let unit = members.iter().find_map(|member| member.unit);
-        if members
-            .iter()
-            .any(|member| member.unit.is_some() && member.unit != unit)
-        {
+        let differs = |other: Option<AngleUnit>| other.is_some() && unit.is_some() && other != unit;
+        if differs(context.unit) || members.iter().any(|member| differs(member.unit)) {
             continue;
         }
         said.unit = unit.or(said.unit);

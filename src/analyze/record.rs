@@ -70,9 +70,9 @@ fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
         | ProblemCode::UnexpectedEnd
         | ProblemCode::UnclosedBracket
         | ProblemCode::UnmatchedBracket
+        | ProblemCode::MixedNames
         | ProblemCode::EmptyText => has_words || holds_more,
-        ProblemCode::MixedNames
-        | ProblemCode::MissingComponent
+        ProblemCode::MissingComponent
         | ProblemCode::DuplicateComponent
         | ProblemCode::OtherQuantity
         | ProblemCode::NotAQuaternion

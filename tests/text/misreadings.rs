@@ -197,7 +197,7 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         "units: rad",
     ),
     // Labels that only contain a word.
-    ("rpy_rate: 1 2 3", ProblemCode::UnknownWord, "rpy_rate"),
+    ("rpy_rate: 1 2 3", ProblemCode::OtherQuantity, "rpy_rate"),
     (
         "rpy_rate (deg): 1 2 3",
         ProblemCode::OtherQuantity,

@@ -230,7 +230,7 @@ fn a_sequence_that_named_angles_cannot_have_is_refused() {
         ),
         (
             "inverse: roll=0.4 pitch=-0.6 yaw=0.9",
-            UnknownWord,
+            ProblemCode::OtherQuantity,
             "inverse",
             "an inverse",
         ),

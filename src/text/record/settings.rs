@@ -52,8 +52,10 @@ impl Settings {
             "inverted",
             "conjugate",
         ]) && value.text.eq_ignore_ascii_case("true");
-        // `"type": "conjugate"`
-        let is_made = is(&["type", "kind", "form"]) && is_derived(value.text);
+        // `"type": "conjugate"`, `"comment": "inverse of the attitude"`.
+        let is_made = is(&["type", "kind", "form"]) && is_derived(value.text)
+            || is(&["comment", "note", "description"])
+                && value.text.split_whitespace().any(is_derived);
         self.is_doubtful |= is_turned || is_made || value.text.eq_ignore_ascii_case("jpl");
         let is_sequence = value.text.parse::<EulerSequence>().is_ok();
         self.is_doubtful |= is_frame || (is_sequence && is_derived(value.key));

@@ -101,7 +101,7 @@ const PRINTED: &[Printed] = &[
         position: None,
     },
     Printed {
-        format: Some("DJI"),
+        format: None,
         library: Some("dji"),
         text: "quaternion: [0.545918, 0.372456, 0.729608, 0.175845], ts: 7",
         rotation: [

@@ -34,15 +34,34 @@ pub(crate) struct Declared {
     pub(crate) convention: Convention,
     pub(crate) matrix: MatrixConvention,
     /// The library that printed the text, where one is declared.
+    #[cfg_attr(
+        not(feature = "whole"),
+        expect(dead_code, reason = "only blocks of text ask for it")
+    )]
     pub(crate) library: Option<DeclaredLibrary>,
 }
 
 /// What a declared library says of the text that it printed.
 #[derive(Clone, Copy)]
+#[cfg_attr(
+    not(feature = "whole"),
+    expect(dead_code, reason = "only blocks of text ask for it")
+)]
 pub(crate) struct DeclaredLibrary {
     pub(crate) id: &'static str,
     /// Which vectors its matrices multiply.
     pub(crate) vectors: VectorLayout,
+}
+
+impl Declared {
+    /// What is declared where no library is.
+    pub(crate) fn plain(convention: Convention, matrix: MatrixConvention) -> Self {
+        Self {
+            convention,
+            matrix,
+            library: None,
+        }
+    }
 }
 
 /// An attitude that was read from text.

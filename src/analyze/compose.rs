@@ -27,11 +27,7 @@ const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * UNIT_ROUNDOFF;
 const PRODUCTS: usize = 4;
 
 pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem>> {
-    let declared = Declared {
-        convention: request.convention,
-        matrix: request.matrix,
-        library: None,
-    };
+    let declared = Declared::plain(request.convention, request.matrix);
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);
     let vector = TypedVector::of_text(&request.vector);

@@ -10,11 +10,7 @@ use crate::convention::Convention;
 use crate::problem::{Field, Problem};
 
 pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
-    let declared = Declared {
-        convention: request.convention,
-        matrix: request.matrix,
-        library: None,
-    };
+    let declared = Declared::plain(request.convention, request.matrix);
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
     let vector = TypedVector::of_text(&request.vector);
     let (attitude, vector) = match (attitude, vector) {

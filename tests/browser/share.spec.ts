@@ -1,7 +1,7 @@
 // Sharing: the link, as Markdown and as a citation; the version in the address and on the page.
 import { readFileSync } from "node:fs";
 import type { Page } from "@playwright/test";
-import { expect, sidewaysScroll, test, violationsIn } from "./support/page.ts";
+import { expect, quaternionField, sidewaysScroll, test, violationsIn } from "./support/page.ts";
 
 test.beforeEach(({ context }) => context.grantPermissions(["clipboard-read", "clipboard-write"]));
 
@@ -107,4 +107,25 @@ test("an address of a newer version opens what is known, says so and is kept", a
 test("the page says which version it is", async ({ page }) => {
   await page.goto("/");
   await expect(page.getByRole("contentinfo")).toContainText(`quatlas ${version}`);
+});
+
+test("of a long text the address holds the numbers that were read, and a reload the text", async ({
+  page,
+}) => {
+  const poses = Array.from({ length: 400 }, (_, at) => `[INFO] [${at}.5]: waiting for a transform`);
+  const text = [...poses, "world_to_body: orientation: {x: 0.1, y: 0.3, z: 0.5, w: 0.8}"].join(
+    "\n",
+  );
+  await page.goto("/");
+  await quaternionField(page).fill(text);
+  const said = page.getByText("The text is too long for an address");
+  await expect(said).toBeVisible();
+  await page.keyboard.press("Escape");
+  const short = new URLSearchParams(await shared(page, "Link").then((link) => link.split("?")[1]));
+  expect(short.get("quaternion")).toBe("w=0.8 x=0.1 y=0.3 z=0.5");
+  expect(short.get("direction")).toBe("world-to-body");
+  await expect(page).toHaveURL(/quaternion=w%3D0\.8\+x%3D0\.1/);
+  await page.reload();
+  await expect(quaternionField(page)).toHaveValue(text);
+  await expect(said).toBeVisible();
 });

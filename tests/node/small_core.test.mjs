@@ -104,7 +104,7 @@ const oftenTyped = `
   w=0.92 x=0 y=0 z=0.38 | (w: 0.92, x: 0, y: 0, z: 0.38) | {"x": 0, "y": 0, "z": 0.38, "w": 0.92}
   qw: 0.92 qx: 0 qy: 0 qz: 0.38 | q = [0.92, 0, 0, 0.38] | double q[4] = {0.92, 0, 0, 0.38};
   orientation: {x: 0.0, y: 0.0, z: 0.38, w: 0.92} | order: xyzw, 0 0 0.38 0.92 | quaternion 1 2 3 4
-  0.92 + 0.38k | 0.5 - 0.5i + 0.5j - 0.5k | √2/2 k + √2/2 | cos(22.5°) + sin(22.5°) k | 0.92 [0, 0, 0.38]
+  0.92 + 0.38k | 1/√2 + 1/√2 i | 0.5 - 0.5i + 0.5j - 0.5k | √2/2 k + √2/2 | cos(22.5°) + sin(22.5°) k | 0.92 [0, 0, 0.38]
   45deg about z | 45° about [1, 1, 0] | rotate by 30 deg about the x axis | 45deg [0, 0, 1] | axis=z, angle=45°
   axis-angle [0, 0, 1] pi/4 | axis: [0, 0, 1] angle: 0.5 | angle-axis 0.785 0 0 1
   rotvec 0 0 0.785 | rotvec [0 0 45] deg | rotation vector: 0.1 0.2 0.3 | rvec = [0.1, 0.2, 0.3]

@@ -70,7 +70,7 @@ fn a_sequence_told_with_its_frame_orders_named_angles() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn a_sequence_that_named_angles_cannot_have_is_refused() {
-    use ProblemCode::{MixedNames, UnknownSequence, UnknownWord};
+    use ProblemCode::{MixedNames, UnknownSequence};
     check_refused(&[
         (
             "XYZ roll=25deg pitch=-35deg yaw=50deg",

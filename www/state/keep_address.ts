@@ -14,7 +14,7 @@ export function keepAddress(store: Store) {
   const write = () => {
     clearTimeout(pending);
     if (staysWhole()) return;
-    writeAddress(toFragment(store.state.peek()));
+    writeAddress(toFragment(store.addressed.peek()));
   };
   store.state.subscribe(() => {
     clearTimeout(pending);
@@ -22,6 +22,7 @@ export function keepAddress(store: Store) {
   });
   addEventListener("pagehide", () => {
     if (staysWhole()) return;
+    // Whole, however long: what was pasted is there again.
     remember({ entry: entryName(), fragment: toFragment(store.state.peek()) });
     write();
   });

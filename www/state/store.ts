@@ -9,6 +9,7 @@ import {
 import type { Engine, Field, Outcome, Problem, Request } from "../engine.ts";
 import { declaredConvention } from "../model/conventions.ts";
 import { opening, type PageState } from "../model/page_state.ts";
+import { addressed } from "./addressed.ts";
 import { endAnnouncement } from "./announcement.ts";
 import {
   type Content,
@@ -145,6 +146,8 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     problemOf: (field: Field) => problems.value.find((problem) => problem.field === field),
     /** The numbers of the result that are being edited. */
     draft,
+    /** The state as the address holds it. */
+    addressed: computed(() => addressed(state.value, outcome.value)),
     /** Changes the state; what is done as the same follows as one step of the history. */
     set: (parts: Partial<PageState>, doing: Doing = {}) => {
       endAnnouncement();

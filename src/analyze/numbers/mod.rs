@@ -43,11 +43,7 @@ pub(crate) fn numbers(request: &NumbersRequest) -> Result<NumbersReport, Vec<Pro
         }
         return Ok(told);
     }
-    let declared = Declared {
-        convention,
-        matrix,
-        library: None,
-    };
+    let declared = Declared::plain(convention, matrix);
     let printed = Printed::of(text, declared).map_err(|fault| fault.in_field(Field::Numbers));
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
     let (printed, attitude) = match (printed, attitude) {

@@ -206,10 +206,7 @@ pub(crate) fn check_no_complex_number(tokens: &[Token<'_>]) -> Result<(), Fault>
     let (Some(unit), None) = (units.next(), units.next()) else {
         return Ok(());
     };
-    // Without the feature `whole` it is not looked what stands before the only unit.
-    let is_complex =
-        unit.text != "k" && (!cfg!(feature = "whole") || tokens.windows(4).any(is_complex));
-    if is_complex {
+    if unit.text != "k" && tokens.windows(4).any(is_complex) {
         return Err(Fault::complex_number(unit.span));
     }
     Ok(())

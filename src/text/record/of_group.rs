@@ -46,7 +46,7 @@ pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -
                 }))
             )
         });
-        (made, is_ordered.then(|| context.ordering).flatten())
+        (made, is_ordered.then_some(context.ordering).flatten())
     });
     made.into_iter()
         .map(|made| Found {

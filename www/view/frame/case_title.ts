@@ -36,9 +36,9 @@ function caseWords(store: Store): string | undefined {
 }
 
 /** The address of what is shown, always with its version; a link of a newer quatlas stays what it is. */
-export function sharedAddress({ state, isLinkNewer }: Store): string {
+export function sharedAddress({ addressed, isLinkNewer }: Store): string {
   if (isLinkNewer.value) return location.href;
-  return `${location.href.split("#")[0]}#${versionedFragment(state.value)}`;
+  return `${location.href.split("#")[0]}#${versionedFragment(addressed.value)}`;
 }
 
 /** What is said of a result that is of the texts as they are now. */

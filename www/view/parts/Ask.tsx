@@ -6,6 +6,7 @@ import type { Problem } from "../../engine.ts";
 import type { Freshness, Store } from "../../state/store.ts";
 import { symbolOf } from "../../words/conventions.ts";
 import { retryWord } from "../../words/frame/loading.tsx";
+import { shortAddressWords } from "../../words/parts/ask.tsx";
 import { problemWords } from "../../words/parts/notes.tsx";
 import { MoreAxes } from "./MoreAxes.tsx";
 import { FixButton } from "./Notes.tsx";
@@ -66,20 +67,22 @@ export function AskStatus({
   }
   return (
     <div class="ask-status">
-      {problems.length === 0
-        ? children
-        : problems.map((problem, at) => {
-            const Words = problem.message === "" ? UnsaidProblem : ProblemWords;
-            return (
-              <Words key={problem.field} store={store} problem={problem}>
-                {at === 0 && (
-                  <span class="old-result">
-                    {freshness === "opening" ? problemWords.opening : problemWords.old}
-                  </span>
-                )}
-              </Words>
-            );
-          })}
+      {problems.length === 0 && children}
+      {store.addressed.value !== store.state.value && (
+        <p class="address-words">{shortAddressWords}</p>
+      )}
+      {problems.map((problem, at) => {
+        const Words = problem.message === "" ? UnsaidProblem : ProblemWords;
+        return (
+          <Words key={problem.field} store={store} problem={problem}>
+            {at === 0 && (
+              <span class="old-result">
+                {freshness === "opening" ? problemWords.opening : problemWords.old}
+              </span>
+            )}
+          </Words>
+        );
+      })}
     </div>
   );
 }

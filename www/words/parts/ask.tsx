@@ -9,3 +9,5 @@ export const custom = "Custom";
 export const readAs = "Read as";
 export const quaternionIn = (letters: ComponentChildren) => <>quaternion {letters}</>;
 export const norm = "norm";
+export const shortAddressWords =
+  "The text is too long for an address: links to this page hold the numbers that were read.";

@@ -1,10 +1,10 @@
 //! The line of code of a library, written with numbers and read back.
 
-use crate::analyze::plain_numbers::is_decimal;
 use crate::contract::Components;
 use crate::convention::order::ComponentOrder;
 use crate::decimal::literal;
 use crate::problem::Span;
+use crate::text::is_decimal;
 
 const PLACES: [&str; 4] = ["{w}", "{x}", "{y}", "{z}"];
 

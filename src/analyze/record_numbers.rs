@@ -1,7 +1,7 @@
 //! What records without a quaternion write for an attitude: Euler angles, a rotation vector, axis and
 //! angle, a matrix.
 
-use crate::analyze::plain_numbers::{is_decimal, plain, rows3};
+use crate::analyze::plain_numbers::{plain, rows3};
 use crate::contract::EndNumbers;
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
@@ -11,6 +11,7 @@ use crate::library::endpoint::Meaning;
 use crate::library::{RecordNumbers, RecordNumbersKind};
 use crate::problem::{Problem, Span};
 use crate::rotation::Rotation;
+use crate::text::is_decimal;
 use nalgebra::Vector3;
 
 /// The same numbers in words that are read everywhere; `None` where a text is anything else than the

@@ -117,6 +117,9 @@
 // Members to a description of a rotation.
 pub(crate) mod description;
 
+// Texts that are decimal numbers.
+mod decimal_text;
+
 // Tokens, and the tree that they make.
 pub(crate) mod grammar;
 
@@ -140,6 +143,7 @@ mod vocabulary;
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
+pub(crate) use crate::text::decimal_text::is_decimal;
 pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;

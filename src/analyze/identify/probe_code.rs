@@ -1,9 +1,9 @@
 //! Probes as lines of code to paste, with names that stand for the library's own.
 
-use crate::analyze::plain_numbers::is_decimal;
 use crate::contract::probe::Probe;
 use crate::library::Language;
 use crate::problem::is_too_long;
+use crate::text::is_decimal;
 
 /// How a language writes what a probe does. `{n}` stands for four numbers, `{r1}` to `{r3}` for the
 /// rows of a matrix, `{q}`, `{a}`, `{b}`, `{v}`, `{m}` for values and `{e}` for what is printed.

@@ -6,6 +6,7 @@ use crate::convention::order::ComponentOrder;
 use crate::convention::{Convention, Direction};
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
+use crate::text::decimal_text::is_decimal;
 use crate::text::description::ParsedRotation;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::vocabulary::labels::{Derived, LabelWord, meanings_of, words_of};
@@ -85,7 +86,7 @@ impl<'t> Told<'t> {
             letters.extend(words.iter().filter(|word| is_component(word)).copied());
             for (at, word) in words.iter().enumerate() {
                 // `# 90 deg` says what this angle is.
-                let follows_number = at > 0 && words[at - 1].parse::<f64>().is_ok();
+                let follows_number = at > 0 && is_decimal(words[at - 1]);
                 if let Some(unit) = AngleUnit::named(&word.to_ascii_lowercase())
                     && !follows_number
                 {

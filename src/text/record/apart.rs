@@ -9,51 +9,44 @@ use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, made, quaternion};
 use crate::text::record::quantity::Group;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// Three numbers without a name in the brackets that hold four numbers of a quaternion: `((x, y, z), (…))`.
 pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> {
-    let spans = |wanted: fn(&Made) -> bool| -> BTreeSet<(usize, usize)> {
+    let quaternions: Vec<Span> = found
+        .iter()
+        .filter(|found| matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_))))
+        .map(|found| found.span)
+        .collect();
+    let is_told = |group: &Group<'_>| {
         found
             .iter()
-            .filter(|found| wanted(&found.made))
-            .map(|found| (found.span.start, found.span.end))
-            .collect()
+            .any(|found| found.span == group.span && !matches!(found.made, Made::Nothing))
     };
-    let quaternions = spans(|made| matches!(made, Made::Rotation(ParsedRotation::Quaternion(_))));
-    let told = spans(|made| !matches!(made, Made::Nothing));
-    let is_in = |spans: &BTreeSet<(usize, usize)>, group: &Group<'_>| {
-        spans.contains(&(group.span.start, group.span.end))
-    };
-    // The three numbers without a name of each scope; `None` where there are several.
-    let mut threes: BTreeMap<usize, Option<&Group<'_>>> = BTreeMap::new();
-    for group in &quantities.groups {
-        let is_bare = group.path.last().is_none_or(|key| key.is_empty());
-        if group.numbers.len() == 3 && is_bare {
-            threes
-                .entry(group.scope)
-                .and_modify(|only| *only = None)
-                .or_insert(Some(group));
+    let mut positions = Vec::new();
+    for quaternion in &quantities.groups {
+        if !quaternions.contains(&quaternion.span) {
+            continue;
         }
-    }
-    quantities
-        .groups
-        .iter()
-        .filter(|group| is_in(&quaternions, group))
-        .filter_map(|quaternion| {
-            let only = threes.get(&quaternion.scope).copied().flatten()?;
-            let numbers = <[f64; 3]>::try_from(&only.numbers[..]).ok()?;
-            (!is_in(&told, only)).then(|| Found {
-                made: Made::Position(numbers),
+        let mut threes = quantities.groups.iter().filter(|group| {
+            let is_bare = group.path.last().is_none_or(|key| key.is_empty());
+            group.scope == quaternion.scope && group.numbers.len() == 3 && is_bare
+        });
+        if let (Some(only), None) = (threes.next(), threes.next())
+            && let &[x, y, z] = &only.numbers[..]
+            && !is_told(only)
+        {
+            positions.push(Found {
+                made: Made::Position([x, y, z]),
                 label: String::new(),
                 span: only.span,
                 is_derived: false,
                 is_computed: only.is_computed,
                 format: None,
                 has_rows: true,
-            })
-        })
-        .collect()
+            });
+        }
+    }
+    positions
 }
 
 /// A scalar and a vector, each under its name, `real: 0.8, imag: (…)`, or behind each other in what is named a

@@ -73,11 +73,10 @@ use crate::text::record::group::Quantities;
 use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
-use crate::text::record::scan::scan;
+use crate::text::record::scan::{Token, scan};
 use crate::text::record::settings::{Settings, has_duplicate, is_balanced, is_plain};
 use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
-use std::collections::BTreeSet;
 
 /// A rotation of a record.
 #[derive(Clone, Debug)]
@@ -146,15 +145,7 @@ pub(crate) fn record_of(
 ) -> Record {
     let tokens = scan(text);
     let mut quantities = Quantities::of(&outline(text, &tokens));
-    let words: BTreeSet<String> = tokens
-        .iter()
-        .flat_map(|token| {
-            words_of(token.text)
-                .into_iter()
-                .chain(identifiers_of(token.text))
-                .chain([token.text.to_ascii_lowercase()])
-        })
-        .collect();
+    let words = Words::of(&tokens);
     let formats: Vec<&'static Format> = formats
         .iter()
         .flat_map(|family| family.iter())
@@ -243,12 +234,45 @@ fn is_quaternion(found: &Found) -> bool {
     matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_)))
 }
 
+/// The words of a text in small letters, in alphabetical order.
+struct Words(Vec<String>);
+
+impl Words {
+    fn of(tokens: &[Token<'_>]) -> Self {
+        let mut words = Self(Vec::new());
+        for token in tokens {
+            for word in words_of(token.text) {
+                words.add(word);
+            }
+            for identifier in identifiers_of(token.text) {
+                words.add(identifier);
+            }
+            words.add(token.text.to_ascii_lowercase());
+        }
+        words
+    }
+
+    fn add(&mut self, word: String) {
+        if let Err(at) = self.place_of(&word) {
+            self.0.insert(at, word);
+        }
+    }
+
+    fn has(&self, word: &str) -> bool {
+        self.place_of(word).is_ok()
+    }
+
+    fn place_of(&self, word: &str) -> Result<usize, usize> {
+        self.0.binary_search_by(|known| known.as_str().cmp(word))
+    }
+}
+
 /// Whether the words by which a format is known stand in a text.
-fn is_marked(format: &Format, words: &BTreeSet<String>, text: &str) -> bool {
+fn is_marked(format: &Format, words: &Words, text: &str) -> bool {
     format.marks.iter().all(|mark| {
         mark.split('|').any(|name| match name.strip_prefix('~') {
             Some(written) => text.contains(written),
-            None => name.split(' ').all(|word| words.contains(word)),
+            None => name.split(' ').all(|word| words.has(word)),
         })
     })
 }

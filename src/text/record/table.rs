@@ -1,8 +1,8 @@
 //! Rows of a file under a line of names: each number gets the name of its column.
 
 use crate::convention::angle::AngleUnit;
-use crate::decimal::nearest_double;
 use crate::problem::Span;
+use crate::text::decimal_text::finite_decimal;
 use crate::text::record::names::is_usual_name;
 use crate::text::record::quantity::Group;
 
@@ -281,9 +281,7 @@ fn number(cell: &str, way: Divided) -> Option<f64> {
     } else {
         cell.replace(',', ".")
     };
-    let is_number = point.parse::<f64>().is_ok_and(f64::is_finite)
-        && point.contains(|digit: char| digit.is_ascii_digit());
-    is_number.then(|| nearest_double(point.trim_start_matches('+')))
+    finite_decimal(&point)
 }
 
 fn is_name(cell: &str) -> bool {

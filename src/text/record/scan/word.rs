@@ -1,6 +1,7 @@
 //! Names, what stands in quotes, and tags.
 
 use crate::problem::Span;
+use crate::text::decimal_text::finite_decimal;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
 use crate::text::record::scan::{Mark, Scanner, Token};
 use crate::text::vocabulary::constructors::order_in_name;
@@ -96,7 +97,7 @@ impl<'t> Scanner<'t> {
             self.at += length + 2;
             return;
         }
-        let is_number = inside.trim().parse::<f64>().is_ok_and(f64::is_finite);
+        let is_number = finite_decimal(inside.trim()).is_some();
         if is_number {
             self.at += 1 + inside.len() - inside.trim_start().len();
             let end = self.at - (1 + inside.len() - inside.trim_start().len()) + length + 2;

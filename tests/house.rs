@@ -58,6 +58,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "decimal",
             "convention",
             "problem",
+            "text/grammar",
             "text/vocabulary",
             "text/description",
         ],

@@ -118,7 +118,6 @@
 pub(crate) mod description;
 
 // Texts that are decimal numbers.
-mod decimal_text;
 
 // Tokens, and the tree that they make.
 pub(crate) mod grammar;
@@ -143,7 +142,6 @@ mod vocabulary;
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
-pub(crate) use crate::text::decimal_text::is_decimal;
 pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
@@ -153,6 +151,7 @@ use crate::text::description::told::{Layout, check_plain};
 use crate::text::description::{list, quaternion};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
+pub(crate) use crate::text::grammar::decimal_text::is_decimal;
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};

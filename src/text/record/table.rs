@@ -2,7 +2,7 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
-use crate::text::decimal_text::finite_decimal;
+use crate::text::grammar::decimal_text::finite_decimal;
 use crate::text::record::names::is_usual_name;
 use crate::text::record::quantity::Group;
 

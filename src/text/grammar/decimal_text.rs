@@ -1,5 +1,6 @@
 //! Texts that are decimal numbers.
 
+#[cfg(feature = "whole")]
 use crate::decimal::nearest_double;
 
 /// Whether a text is a decimal number and no more: a sign, digits, a point, an exponent.
@@ -14,7 +15,7 @@ pub(crate) fn is_decimal(text: &str) -> bool {
     };
     let (whole, part) = number.split_once('.').unwrap_or((number, ""));
     let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    let has_digits = !(whole.is_empty() && part.is_empty()) && !exponent.is_empty();
+    let has_digits = !exponent.is_empty() && (!whole.is_empty() || !part.is_empty());
     has_digits && are_digits(whole) && are_digits(part) && are_digits(exponent)
 }
 

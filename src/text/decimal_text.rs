@@ -1,5 +1,6 @@
 //! Texts that are decimal numbers.
 
+#[cfg(feature = "whole")]
 use crate::decimal::nearest_double;
 
 /// Whether a text is a decimal number and no more: a sign, digits, a point, an exponent.

@@ -84,7 +84,7 @@ pub(crate) const DEVICES: &[Format] = &[
             Field::Named(
                 "azimuth pitch roll",
                 &[Part::Euler(
-                    Angles::new("ZXY", Unit::Usually(Radians)).signed([-1.0, -1.0, 1.0]),
+                    Angles::new("ZXY", Unit::Usually(Radians)).signed([-1, -1, 1]),
                 )],
             ),
             Field::Under(

@@ -8,7 +8,7 @@ use crate::text::record::format::{Angles, DECLARED_ONLY, Field, Format, Letters,
 pub(crate) const ROTATOR: Part = Part::Euler(
     Angles::new("ZYX", Unit::Always(Degrees))
         .placed([1, 0, 2])
-        .signed([1.0, -1.0, -1.0]),
+        .signed([1, -1, -1]),
 );
 
 /// The angles about x, y and z; y turns first, about moving axes.
@@ -187,7 +187,7 @@ pub(crate) const ENGINES: &[Format] = &[
         fields: &[Field::Under(
             "HeadingPitchRoll",
             &[Part::Euler(
-                Angles::new("ZYX", Unit::Always(Radians)).signed([-1.0, -1.0, 1.0]),
+                Angles::new("ZYX", Unit::Always(Radians)).signed([-1, -1, 1]),
             )],
         )],
     },

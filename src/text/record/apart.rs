@@ -37,12 +37,8 @@ pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> 
         {
             positions.push(Found {
                 made: Made::Position([x, y, z]),
-                label: String::new(),
-                span: only.span,
-                is_derived: false,
                 is_computed: only.is_computed,
-                format: None,
-                has_rows: true,
+                ..Found::at(only.span)
             });
         }
     }
@@ -106,11 +102,9 @@ fn grouped(scalar: f64, span: Span, vector: &Group<'_>, is_computed: bool) -> Op
     Some(Found {
         made: Made::Rotation(rotation),
         label: label_of(&vector.path[..vector.path.len() - 1]),
-        span: span.to(vector.span),
         is_derived: Meaning::of(&vector.path).role == Some(Role::Derived),
         is_computed: is_computed || vector.is_computed,
-        format: None,
-        has_rows: true,
+        ..Found::at(span.to(vector.span))
     })
 }
 
@@ -148,18 +142,12 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
         Some((member, Meaning::of(&path)))
     })?;
     let numbers: Vec<f64> = axis.into_iter().chain([angle.value]).collect();
-    let made = made(
-        &[Part::AxisAngle(Unit::BySize)],
-        &numbers,
-        context.said(&meaning),
-    )?;
+    let said = context.said(&meaning);
     Some(Found {
-        made: made.into_iter().next()?,
+        made: made(&[Part::AxisAngle(Unit::BySize)], &numbers, said)?.pop()?,
         label: "angle".to_owned(),
-        span: angle.span.to(axis_span),
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: angle.is_computed,
-        format: None,
-        has_rows: true,
+        ..Found::at(angle.span.to(axis_span))
     })
 }

@@ -17,24 +17,24 @@ pub(crate) fn found(
     context: &Context,
     plain: &'static [Field],
 ) -> Vec<Found> {
-    let mut all = Vec::new();
-    let fields: Vec<Asked> = context
-        .formats
-        .iter()
-        .copied()
-        .flat_map(|format| format.fields.iter().map(move |field| (field, Some(format))))
-        .chain(plain.iter().map(|field| (field, None)))
-        .collect();
-    let together = groups_together(quantities, context, &fields);
-    let taken: Vec<Span> = together.iter().map(|found| found.span).collect();
-    all.extend(together);
+    let mut fields: Vec<Asked> = Vec::new();
+    for &format in &context.formats {
+        for field in format.fields {
+            fields.push((field, Some(format)));
+        }
+    }
+    for field in plain {
+        fields.push((field, None));
+    }
+    let mut all = groups_together(quantities, context, &fields);
+    let taken = all.len();
     for group in &quantities.groups {
-        if !taken.contains(&group.span) {
-            all.extend(of_group(group, context, &fields));
+        if !all[..taken].iter().any(|found| found.span == group.span) {
+            of_group(group, context, &fields, &mut all);
         }
     }
     for named in &quantities.named {
-        all.extend(of_named(named, context, &fields));
+        of_named(named, context, &fields, &mut all);
     }
     all.extend(positions_beside(quantities, &all));
     all.extend(split_quaternion(quantities));

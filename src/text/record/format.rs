@@ -47,7 +47,7 @@ pub(crate) enum Field {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// Numbers that say nothing of a rotation.
-    Skip(usize),
+    Skip(u8),
     Time,
     /// A time that is counted in nanoseconds, by its size.
     Nanoseconds,
@@ -74,11 +74,11 @@ pub(crate) enum Part {
     /// Nine numbers column by column.
     Columns,
     /// Twelve or sixteen numbers row by row, the translation in the last column.
-    HomogeneousRows(usize),
+    HomogeneousRows(u8),
     /// Twelve or sixteen numbers column by column.
-    HomogeneousColumns(usize),
+    HomogeneousColumns(u8),
     /// Sixteen numbers, whose translation tells whether rows or columns follow each other.
-    Homogeneous(usize),
+    Homogeneous(u8),
 }
 
 /// The unit of angles: that of the format, which a word in the text may change, or to be seen from their size.
@@ -98,7 +98,7 @@ pub(crate) struct Angles {
     /// Which of the numbers is the angle about each axis of the sequence.
     pub(crate) places: Places,
     /// The sign of each angle of the sequence.
-    pub(crate) signs: [f64; 3],
+    pub(crate) signs: [i8; 3],
     /// What the letters of a sequence that the text names say of its axes.
     pub(crate) letters: Letters,
 }
@@ -107,7 +107,7 @@ pub(crate) struct Angles {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Places {
     /// In that of the sequence, or so: the place of each of its angles.
-    Listed([usize; 3]),
+    Listed([u8; 3]),
     /// The angle about x, then y, then z, whatever the sequence is.
     ByAxis,
 }
@@ -132,12 +132,12 @@ impl Angles {
             sequence,
             unit,
             places: Places::Listed([0, 1, 2]),
-            signs: [1.0; 3],
+            signs: [1; 3],
             letters: Letters::CapitalsMove,
         }
     }
 
-    pub(crate) const fn placed(self, places: [usize; 3]) -> Self {
+    pub(crate) const fn placed(self, places: [u8; 3]) -> Self {
         Self {
             places: Places::Listed(places),
             ..self
@@ -155,7 +155,7 @@ impl Angles {
         Self { letters, ..self }
     }
 
-    pub(crate) const fn signed(self, signs: [f64; 3]) -> Self {
+    pub(crate) const fn signed(self, signs: [i8; 3]) -> Self {
         Self { signs, ..self }
     }
 }
@@ -167,7 +167,7 @@ impl Part {
             Self::Skip(count)
             | Self::HomogeneousRows(count)
             | Self::HomogeneousColumns(count)
-            | Self::Homogeneous(count) => count,
+            | Self::Homogeneous(count) => count as usize,
             Self::Time | Self::Nanoseconds => 1,
             Self::Position
             | Self::Centre

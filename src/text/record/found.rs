@@ -26,6 +26,31 @@ pub(crate) struct Found {
     pub(crate) has_rows: bool,
 }
 
+impl Found {
+    /// Nothing in particular at a place.
+    pub(crate) fn at(span: Span) -> Self {
+        Self {
+            made: Made::Nothing,
+            label: String::new(),
+            span,
+            is_derived: false,
+            is_computed: false,
+            format: None,
+            has_rows: true,
+        }
+    }
+
+    /// Adds what each part of the same numbers is.
+    pub(crate) fn add_parts(self, made: Vec<Made>, all: &mut Vec<Self>) {
+        for made in made {
+            all.push(Self {
+                made,
+                ..self.clone()
+            });
+        }
+    }
+}
+
 /// What a text says for all its quantities.
 pub(crate) struct Context {
     pub(crate) formats: Vec<&'static Format>,

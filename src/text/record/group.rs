@@ -204,15 +204,22 @@ fn run<'m, 't>(members: &'m [Member<'t>], holder: Holder) -> &'m [Member<'t>] {
 }
 
 fn row_lengths(run: &[Member<'_>]) -> Vec<usize> {
-    run.chunk_by(|one, next| one.row == next.row)
-        .map(<[_]>::len)
-        .collect()
+    let mut lengths = Vec::new();
+    let mut row = None;
+    for member in run {
+        match lengths.last_mut() {
+            Some(length) if row == Some(member.row) => *length += 1,
+            _ => lengths.push(1),
+        }
+        row = Some(member.row);
+    }
+    lengths
 }
 
 fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'t> {
     Group {
         path,
-        numbers: run.iter().filter_map(number).collect(),
+        numbers: numbers_of(run),
         rows: row_lengths(run),
         span: run[0].span.to(run[run.len() - 1].span),
         scope,
@@ -245,8 +252,8 @@ fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
             }
             match pure(next) {
                 Some((more, lengths)) if lengths == rows[..1] => {
-                    numbers.extend(more);
-                    rows.extend(lengths);
+                    numbers.extend_from_slice(&more);
+                    rows.extend_from_slice(&lengths);
                 }
                 _ => break,
             }
@@ -258,13 +265,16 @@ fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
 
 /// Whether all brackets in a bracket hold as many numbers: `[[1, 2], [3, 4, 5]]` has no rows.
 fn are_alike(members: &[Member<'_>]) -> bool {
-    let mut lengths = members
-        .iter()
-        .filter(|member| member.key.is_empty())
-        .filter_map(pure)
-        .map(|(numbers, _)| numbers.len());
-    let first = lengths.next();
-    lengths.all(|length| Some(length) == first)
+    let mut first = None;
+    for member in members {
+        if member.key.is_empty()
+            && let Some((numbers, _)) = pure(member)
+            && *first.get_or_insert(numbers.len()) != numbers.len()
+        {
+            return false;
+        }
+    }
+    true
 }
 
 /// The numbers of a bracket that holds nothing else, row by row.
@@ -273,29 +283,29 @@ fn pure(member: &Member<'_>) -> Option<(Vec<f64>, Vec<usize>)> {
     if member.kind != Kind::Scope || members.is_empty() {
         return None;
     }
-    if members
-        .iter()
-        .all(|member| number(member).is_some() && member.key.is_empty())
-    {
-        let numbers: Vec<f64> = members.iter().filter_map(number).collect();
-        let rows = row_lengths(members);
-        return Some((numbers, rows));
+    let is_number = |member: &Member<'_>| number(member).is_some() && member.key.is_empty();
+    if members.iter().all(is_number) {
+        return Some((numbers_of(members), row_lengths(members)));
     }
-    let inner: Vec<_> = members
-        .iter()
-        .map(|member| pure(member).filter(|_| member.key.is_empty()))
-        .collect::<Option<_>>()?;
-    // Brackets around one list, or rows of one length.
-    if let [only] = &inner[..] {
-        return Some(only.clone());
+    let (mut numbers, mut rows) = (Vec::new(), Vec::new());
+    for inner in members {
+        let (own, lengths) = pure(inner).filter(|_| inner.key.is_empty())?;
+        // Brackets around one list, or rows of one length.
+        if members.len() == 1 {
+            return Some((own, lengths));
+        }
+        rows.push(own.len());
+        numbers.extend_from_slice(&own);
     }
-    let first = inner[0].0.len();
-    let same = inner.iter().all(|(numbers, _)| numbers.len() == first);
-    same.then(|| {
-        let rows = vec![first; inner.len()];
-        (
-            inner.into_iter().flat_map(|(numbers, _)| numbers).collect(),
-            rows,
-        )
-    })
+    rows.iter()
+        .all(|row| *row == rows[0])
+        .then_some((numbers, rows))
+}
+
+fn numbers_of(members: &[Member<'_>]) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    for member in members {
+        numbers.extend(number(member));
+    }
+    numbers
 }

@@ -4,14 +4,20 @@ use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::OrderSource;
 use crate::text::description::ParsedRotation;
 use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::record::format::{Angles, Field, Part, Unit};
+use crate::text::record::format::{Angles, Field, Format, Part, Unit};
 use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
 use crate::text::record::quantity::{Group, own_key};
 
-pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
+/// Adds what a group is.
+pub(crate) fn of_group(
+    group: &Group<'_>,
+    context: &Context,
+    fields: &[Asked],
+    all: &mut Vec<Found>,
+) {
     let meaning = Meaning::of(&group.path);
     let said = Said {
         unit: group.unit.or(meaning.unit).or(context.unit),
@@ -48,17 +54,15 @@ pub(crate) fn of_group(group: &Group<'_>, context: &Context, fields: &[Asked]) -
         });
         (made, is_ordered.then_some(context.ordering).flatten())
     });
-    made.into_iter()
-        .map(|made| Found {
-            made,
-            label: label_of(&group.path),
-            span: group.span,
-            is_derived: meaning.role == Some(Role::Derived),
-            is_computed: group.is_computed || (group.is_of_unknown_call && format.is_none()),
-            format,
-            has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
-        })
-        .collect()
+    let found = Found {
+        label: label_of(&group.path),
+        is_derived: meaning.role == Some(Role::Derived),
+        is_computed: group.is_computed || (group.is_of_unknown_call && format.is_none()),
+        format,
+        has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
+        ..Found::at(group.span)
+    };
+    found.add_parts(made, all);
 }
 
 /// Whether numbers begin a line, with no name before them in it.
@@ -84,32 +88,33 @@ pub(crate) fn groups_together(
             if !are_bare {
                 continue;
             }
-            let made: Option<Vec<Vec<Made>>> = groups
-                .iter()
-                .zip(*all_parts)
-                .map(|(group, parts)| {
-                    let said = context.said(&Meaning::of(&group.path));
-                    made(parts, &group.numbers, said)
-                })
-                .collect();
-            let Some(made) = made else {
-                continue;
-            };
-            let found = groups.iter().zip(made).flat_map(|(group, made)| {
-                made.into_iter().map(|made| Found {
-                    made,
-                    label: label_of(&group.path),
-                    span: group.span,
-                    is_derived: false,
-                    is_computed: group.is_computed,
-                    format: *format,
-                    has_rows: true,
-                })
-            });
-            return found.collect();
+            if let Some(found) = of_groups(groups, all_parts, context, *format) {
+                return found;
+            }
         }
     }
     Vec::new()
+}
+
+/// What groups are, each of which has parts of its own; `None` where one has not.
+fn of_groups(
+    groups: &[Group<'_>],
+    all_parts: &[&[Part]],
+    context: &Context,
+    format: Option<&'static Format>,
+) -> Option<Vec<Found>> {
+    let mut all = Vec::new();
+    for (group, parts) in groups.iter().zip(all_parts) {
+        let said = context.said(&Meaning::of(&group.path));
+        let found = Found {
+            label: label_of(&group.path),
+            is_computed: group.is_computed,
+            format,
+            ..Found::at(group.span)
+        };
+        found.add_parts(made(parts, &group.numbers, said)?, &mut all);
+    }
+    Some(all)
 }
 
 /// An axis in brackets and the angle behind them: `(Vector((0, 0, 1)), 0.5)`.
@@ -118,31 +123,28 @@ pub(crate) fn vector_then_angle(
     context: &Context,
     fields: &[Asked],
 ) -> Option<Found> {
-    fields.iter().find_map(|(field, format)| {
+    for (field, format) in fields {
         let Field::VectorThenAngle(unit) = field else {
-            return None;
+            continue;
         };
-        quantities.groups.windows(2).find_map(|pair| {
-            let [axis, angle] = pair else {
-                return None;
-            };
+        for pair in quantities.groups.windows(2) {
+            let (axis, angle) = (&pair[0], &pair[1]);
             if axis.numbers.len() != 3 || angle.numbers.len() != 1 {
-                return None;
+                continue;
             }
             let numbers = [&axis.numbers[..], &angle.numbers[..]].concat();
             let said = context.said(&Meaning::of(&axis.path));
-            let made = made(&[Part::AxisAngle(*unit)], &numbers, said)?;
-            Some(Found {
-                made: made.into_iter().next()?,
-                label: String::new(),
-                span: axis.span.to(angle.span),
-                is_derived: false,
-                is_computed: axis.is_computed || angle.is_computed,
-                format: *format,
-                has_rows: true,
-            })
-        })
-    })
+            if let Some(mut made) = made(&[Part::AxisAngle(*unit)], &numbers, said) {
+                return Some(Found {
+                    made: made.pop()?,
+                    is_computed: axis.is_computed || angle.is_computed,
+                    format: *format,
+                    ..Found::at(axis.span.to(angle.span))
+                });
+            }
+        }
+    }
+    None
 }
 
 /// What numbers are by their name and count.

@@ -3,26 +3,30 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::OrderSource;
-use crate::problem::Span;
 use crate::text::record::format::{Field, Part};
 use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::names::words_of;
 use crate::text::record::parts::made;
-use crate::text::record::quantity::Named;
+use crate::text::record::quantity::{Named, NamedNumber};
 
-pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -> Vec<Found> {
+/// Adds what numbers by name are.
+pub(crate) fn of_named(
+    named: &Named<'_>,
+    context: &Context,
+    fields: &[Asked],
+    all: &mut Vec<Found>,
+) {
     let mut path = named.path.clone();
     path.push(&named.stem);
     let meaning = Meaning::of(&path);
     // `mrp roll=1 …`, `velocity: {x: …, w: …}`, `XYZ roll=…`: what stands before the names denies them.
     let is_sequence = |word: &str| word.parse::<EulerSequence>().is_ok();
     if meaning.role == Some(Role::Rate) || named.stem.split(' ').any(is_sequence) {
-        return Vec::new();
+        return;
     }
     let has_scalar = named.members.iter().any(|member| member.name == "w");
-    let mut left: Vec<&_> = named.members.iter().collect();
-    let mut all = Vec::new();
+    let mut left: Vec<&NamedNumber> = named.members.iter().collect();
     for (field, format) in fields {
         let (names, parts) = match field {
             Field::OnlyNamed(names, parts)
@@ -41,12 +45,7 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
             }
             _ => continue,
         };
-        let wanted: Vec<&str> = names.split(' ').collect();
-        let members: Option<Vec<_>> = wanted
-            .iter()
-            .map(|name| left.iter().find(|member| member.name == *name).copied())
-            .collect();
-        let Some(members) = members else {
+        let Some(members) = members_of(&left, names) else {
             continue;
         };
         let is_scale = meaning.role == Some(Role::Scale);
@@ -82,13 +81,12 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
         if let [Part::Quaternion(Some(order))] = parts {
             said.order = of_names(*order);
         }
-        let parts: Vec<Part> = parts
-            .iter()
-            .map(|part| match part {
-                Part::Quaternion(Some(_)) => Part::Quaternion(None),
-                other => *other,
-            })
-            .collect();
+        let mut parts = parts.to_vec();
+        for part in &mut parts {
+            if let Part::Quaternion(order) = part {
+                *order = None;
+            }
+        }
         // Under the name of an orientation four components are one, whatever their norm.
         let is_orientation = matches!(meaning.role, Some(Role::Rotation | Role::Quaternion));
         let any_norm = || {
@@ -99,23 +97,28 @@ pub(crate) fn of_named(named: &Named<'_>, context: &Context, fields: &[Asked]) -
         let Some(made) = made(&parts, &numbers, said).or_else(any_norm) else {
             continue;
         };
-        left.retain(|member| !wanted.contains(&member.name.as_str()));
-        let span = members
-            .iter()
-            .map(|member| member.span)
-            .reduce(Span::to)
-            .unwrap_or_default();
-        all.extend(made.into_iter().map(|made| Found {
-            made,
+        left.retain(|member| !names.split(' ').any(|name| name == member.name));
+        let mut found = Found {
             label: label_of(&path),
-            span,
             is_derived: meaning.role == Some(Role::Derived),
-            is_computed: members.iter().any(|member| member.is_computed),
             format: *format,
-            has_rows: true,
-        }));
+            ..Found::at(members[0].span)
+        };
+        for member in members {
+            found.span = found.span.to(member.span);
+            found.is_computed |= member.is_computed;
+        }
+        found.add_parts(made, all);
     }
-    all
+}
+
+/// The members with these names, which spaces divide, in their order; `None` where one is not there.
+fn members_of<'n>(members: &[&'n NamedNumber], names: &str) -> Option<Vec<&'n NamedNumber>> {
+    let mut found = Vec::new();
+    for name in names.split(' ') {
+        found.push(*members.iter().find(|member| member.name == name)?);
+    }
+    Some(found)
 }
 
 /// Whether x, y and z can be a position here.

@@ -166,14 +166,14 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRota
         (None, None) => angles.sequence.parse().ok()?,
     };
     let in_order = match angles.places {
-        Places::Listed(places) => places.map(|place| numbers[place]),
+        Places::Listed(places) => places.map(|place| numbers[usize::from(place)]),
         Places::ByAxis if sequence.is_proper() => return None,
         Places::ByAxis => sequence.axes.axes().map(|axis| numbers[axis.index()]),
     };
     let unit = unit(angles.unit, &in_order, said);
     let mut angles_rad = in_order.map(|angle| turn(angle, unit.unit()));
     for (angle, sign) in angles_rad.iter_mut().zip(angles.signs) {
-        *angle *= sign;
+        *angle *= f64::from(sign);
     }
     Some(ParsedRotation::EulerAngles(ParsedEulerAngles {
         sequence,

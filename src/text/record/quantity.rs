@@ -30,6 +30,26 @@ pub(crate) struct Group<'t> {
     pub(crate) is_line: bool,
 }
 
+impl<'t> Group<'t> {
+    /// No numbers, at a place and under these names, in a scope of its own.
+    pub(crate) fn at(span: Span, path: Vec<&'t str>) -> Self {
+        Self {
+            path,
+            numbers: Vec::new(),
+            rows: Vec::new(),
+            span,
+            scope: usize::MAX,
+            is_computed: false,
+            is_of_call: false,
+            is_of_unknown_call: false,
+            has_lengths: false,
+            unit: None,
+            has_commas: false,
+            is_line: false,
+        }
+    }
+}
+
 /// A word that is a value: `_order: 'XYZ'`.
 #[derive(Clone, Debug)]
 pub(crate) struct Value<'t> {

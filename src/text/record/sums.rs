@@ -25,12 +25,7 @@ pub(crate) fn sums(text: &str) -> Vec<Found> {
         });
         found.extend(rotation.map(|rotation| Found {
             made: Made::Rotation(rotation),
-            label: String::new(),
-            span: Span::from(start..start + length),
-            is_derived: false,
-            is_computed: false,
-            format: None,
-            has_rows: true,
+            ..Found::at(Span::from(start..start + length))
         }));
         at = start + length.max(1);
         while !text.is_char_boundary(at) {

@@ -50,19 +50,30 @@ pub(crate) type Sentence = (&'static str, &'static [&'static str]);
 /// The cells of a line, and its place.
 type Line<'t> = (Span, Vec<&'t str>);
 
+/// The last line that tells names, and all names that are told.
+type Names = for<'l, 't> fn(&'l [Line<'t>]) -> Option<(usize, Vec<&'t str>)>;
+
+/// Lines that tell names in other words than the names alone.
+const NAMED: [(Divided, Names); 2] = [(Divided::Spaces, channels), (Divided::Commas, format_line)];
+
 impl<'t> Table<'t> {
     pub(crate) fn of(text: &'t str, sentences: &[Sentence]) -> Option<Self> {
-        if let Some(table) = sentences
-            .iter()
-            .find_map(|sentence| Self::sentence(text, sentence))
-        {
-            return Some(table);
+        for sentence in sentences {
+            if let Some(table) = Self::sentence(text, sentence) {
+                return Some(table);
+            }
         }
-        let by_channels = || Self::named(text, Divided::Spaces, channels);
-        let by_format = || Self::named(text, Divided::Commas, format_line);
-        by_channels()
-            .or_else(by_format)
-            .or_else(|| WAYS.into_iter().find_map(|way| Self::divided(text, way)))
+        for (way, names) in NAMED {
+            if let Some(table) = Self::named(text, way, names) {
+                return Some(table);
+            }
+        }
+        for way in WAYS {
+            if let Some(table) = Self::divided(text, way) {
+                return Some(table);
+            }
+        }
+        None
     }
 
     /// The numbers of a sentence by the names of its format; its angles are degrees.
@@ -74,143 +85,138 @@ impl<'t> Table<'t> {
             .trim_start_matches(',')
             .split(',')
             .collect();
-        let span = Span::from(start..start + line.len());
-        let columns: Vec<Vec<&str>> = names.iter().map(|name| vec![*name]).collect();
-        let groups = groups(text, &cells, &columns, Divided::Commas);
-        let groups = groups.into_iter().map(|group| Group {
-            unit: Some(AngleUnit::Degrees),
-            ..group
-        });
+        let mut groups = Vec::new();
+        for (cell, name) in cells.iter().zip(*names) {
+            if !name.is_empty()
+                && let Some(mut group) = group(text, cell, &[name], Divided::Commas)
+            {
+                group.unit = Some(AngleUnit::Degrees);
+                groups.push(group);
+            }
+        }
         Some(Self {
-            groups: groups
-                .filter(|group| group.path.last() != Some(&""))
-                .collect(),
-            rows: vec![span],
+            groups,
+            rows: vec![Span::from(start..start + line.len())],
             head: Span::from(start..start + begins.len()),
         })
     }
 
     /// The table whose names are found so, and whose rows have as many cells at their end.
-    fn named(
-        text: &'t str,
-        way: Divided,
-        names: impl Fn(&[Line<'t>]) -> Option<(usize, Vec<&'t str>)>,
-    ) -> Option<Self> {
+    fn named(text: &'t str, way: Divided, names: Names) -> Option<Self> {
         let lines = lines_of(text, way);
         let (at, names) = names(&lines)?;
-        let rows: Vec<&Line<'t>> = lines[at + 1..]
-            .iter()
-            .filter(|(_, cells)| {
-                let extra = cells.len().checked_sub(names.len());
-                extra.is_some_and(|extra| extra <= 1)
-                    && cells[cells.len() - names.len()..]
-                        .iter()
-                        .all(|cell| number(cell, way).is_some())
-            })
-            .collect();
-        let (span, first) = rows.first()?;
-        let cells = &first[first.len() - names.len()..];
-        let columns = names.iter().map(|name| vec![*name]).collect::<Vec<_>>();
-        Some(Self {
-            groups: groups(text, cells, &columns, way),
-            rows: rows.iter().map(|(span, _)| *span).collect(),
-            head: lines[at].0.to(*span),
-        })
+        let mut table = Self {
+            groups: Vec::new(),
+            rows: Vec::new(),
+            head: lines[at].0,
+        };
+        for (span, cells) in &lines[at + 1..] {
+            let Some(index) = cells
+                .len()
+                .checked_sub(names.len())
+                .filter(|&index| index <= 1)
+            else {
+                continue;
+            };
+            let cells = &cells[index..];
+            if !cells.iter().all(|cell| number(cell, way).is_some()) {
+                continue;
+            }
+            if table.rows.is_empty() {
+                for (cell, name) in cells.iter().zip(&names) {
+                    table.groups.extend(group(text, cell, &[name], way));
+                }
+                table.head = table.head.to(*span);
+            }
+            table.rows.push(*span);
+        }
+        (!table.rows.is_empty()).then_some(table)
     }
 
     fn divided(text: &'t str, way: Divided) -> Option<Self> {
         let lines = lines_of(text, way);
-        let is_row = |cells: &[&str], count: usize| {
-            // The index of a row has no name.
-            let fits = cells.len() == count || (way == Divided::Spaces && cells.len() == count + 1);
-            fits && cells
-                .iter()
-                .filter(|cell| number(cell, way).is_some())
-                .count()
-                >= FEWEST_COLUMNS
-        };
-        let (at, row) = (0..lines.len()).find_map(|at| {
-            let (_, head) = &lines[at];
-            if !is_head(head, way) {
-                return None;
-            }
-            let next = lines[at + 1..].iter().take(MOST_HEADS);
-            let row = next
-                .clone()
-                .position(|(_, cells)| is_row(cells, head.len()))?;
-            // Only remarks stand between.
-            let between = next.take(row).all(|(_, cells)| {
-                cells.iter().all(|cell| number(cell, way).is_none()) || cells.len() < head.len()
-            });
-            between.then_some((at, at + 1 + row))
-        })?;
+        let (at, row) = (0..lines.len()).find_map(|at| Some((at, row_below(&lines, at, way)?)))?;
         let count = lines[at].1.len();
-        // Names above names: the last line of them is the next to the row.
-        let is_names = |line: &usize| {
-            let cells = &lines[*line].1;
-            cells.len() == count && cells.iter().all(|cell| number(cell, way).is_none())
+        let are_names = |line: usize| {
+            let cells = &lines[line].1;
+            cells.len() == count && !cells.iter().any(|cell| number(cell, way).is_some())
         };
-        let at = (at..row).rev().find(is_names).unwrap_or(at);
-        let first_head = (at.saturating_sub(MOST_HEADS)..at)
-            .rev()
-            .take_while(|&above| {
-                let cells = &lines[above].1;
-                cells.len() == count && cells.iter().all(|cell| number(cell, way).is_none())
-            })
-            .last()
-            .unwrap_or(at);
-        let rows: Vec<Span> = lines[row..]
-            .iter()
-            .take_while(|(_, cells)| is_row(cells, count))
-            .map(|(span, _)| *span)
-            .collect();
-        let head = lines[first_head].0.to(lines[at].0);
+        // Names above names: the last line of them is the next to the row.
+        let at = (at..row).rev().find(|&line| are_names(line)).unwrap_or(at);
+        let mut first = at;
+        while first > 0 && first + MOST_HEADS > at && are_names(first - 1) {
+            first -= 1;
+        }
+        let mut rows = Vec::new();
+        for (span, cells) in &lines[row..] {
+            if !is_row(cells, count, way) {
+                break;
+            }
+            rows.push(*span);
+        }
+        let head = lines[first].0.to(lines[at].0);
         if let Some(matrix) = matrix(&lines[at].1, &lines[row..row + rows.len()], way) {
             return Some(Self {
+                rows: vec![matrix.span],
                 groups: vec![matrix],
-                rows: vec![rows[0].to(rows[rows.len() - 1])],
                 head,
             });
         }
         let cells = &lines[row].1;
-        let columns: Vec<Vec<&str>> = (0..count)
-            .map(|column| {
-                (first_head..=at)
-                    .map(|line| lines[line].1[column])
-                    .collect()
-            })
-            .collect();
-        Some(Self {
-            groups: groups(text, &cells[cells.len() - count..], &columns, way),
-            rows,
-            head,
-        })
+        let mut groups = Vec::new();
+        for (column, cell) in cells[cells.len() - count..].iter().enumerate() {
+            let names: Vec<&str> = (first..=at).map(|line| lines[line].1[column]).collect();
+            groups.extend(group(text, cell, &names, way));
+        }
+        Some(Self { groups, rows, head })
     }
+}
+
+/// Which line below names is the first row under them.
+fn row_below(lines: &[Line<'_>], at: usize, way: Divided) -> Option<usize> {
+    let count = lines[at].1.len();
+    if !is_head(&lines[at].1, way) {
+        return None;
+    }
+    for (below, (_, cells)) in lines.iter().enumerate().skip(at + 1).take(MOST_HEADS) {
+        if is_row(cells, count, way) {
+            return Some(below);
+        }
+        // Only remarks stand between.
+        if cells.len() >= count && cells.iter().any(|cell| number(cell, way).is_some()) {
+            return None;
+        }
+    }
+    None
+}
+
+/// Whether cells are a row under so many names.
+fn is_row(cells: &[&str], count: usize, way: Divided) -> bool {
+    // The index of a row has no name.
+    let fits = cells.len() == count || (way == Divided::Spaces && cells.len() == count + 1);
+    let is_number = |cell: &&&str| number(cell, way).is_some();
+    fits && cells.iter().filter(is_number).count() >= FEWEST_COLUMNS
 }
 
 /// The rows of a matrix under the names of its axes: `| | x | y | z |`.
 fn matrix<'t>(head: &[&str], rows: &[Line<'t>], way: Divided) -> Option<Group<'t>> {
     let names: String = head.concat().to_ascii_lowercase();
-    let numbers: Vec<Vec<f64>> = rows
-        .iter()
-        .map(|(_, cells)| cells.iter().filter_map(|cell| number(cell, way)).collect())
-        .collect();
-    let length = numbers[0].len();
-    let is_square = numbers.iter().all(|row: &Vec<f64>| row.len() == length)
-        && matches!((numbers.len(), length), (3, 3 | 4) | (4, 4));
-    (is_square && ["xyz", "xyzt", "xyzw"].contains(&names.as_str())).then(|| Group {
-        path: vec!["", ""],
-        rows: vec![length; numbers.len()],
-        numbers: numbers.concat(),
-        span: rows[0].0.to(rows[rows.len() - 1].0),
-        scope: usize::MAX,
-        is_computed: false,
-        is_of_call: false,
-        is_of_unknown_call: false,
-        has_lengths: false,
-        unit: None,
-        has_commas: false,
+    let (mut numbers, mut lengths) = (Vec::new(), Vec::new());
+    for (_, cells) in rows {
+        let before = numbers.len();
+        numbers.extend(cells.iter().filter_map(|cell| number(cell, way)));
+        lengths.push(numbers.len() - before);
+    }
+    let is_square = lengths.iter().all(|length| *length == lengths[0])
+        && matches!((rows.len(), lengths[0]), (3, 3 | 4) | (4, 4));
+    if !is_square || !["xyz", "xyzt", "xyzw"].contains(&names.as_str()) {
+        return None;
+    }
+    Some(Group {
+        numbers,
+        rows: lengths,
         is_line: true,
+        ..Group::at(rows[0].0.to(rows[rows.len() - 1].0), vec!["", ""])
     })
 }
 
@@ -225,24 +231,26 @@ fn is_head(cells: &[&str], way: Divided) -> bool {
 }
 
 fn lines_of(text: &str, way: Divided) -> Vec<Line<'_>> {
-    text.split_inclusive('\n')
-        .map(|line| {
-            let start = line.as_ptr() as usize - text.as_ptr() as usize;
-            let marks = [' ', '\r', '\n', '#', '%', '/', '*'];
-            let mut inside = line
-                .trim_start_matches(marks)
-                .trim_end_matches([' ', '\r', '\n']);
-            // LAMMPS: `ITEM: ATOMS id type x y z`.
-            inside = inside.strip_prefix("ITEM: ATOMS").unwrap_or(inside);
-            let start = if inside.is_empty() {
-                start
-            } else {
-                inside.as_ptr() as usize - text.as_ptr() as usize
-            };
-            (Span::from(start..start + inside.len()), cells(inside, way))
-        })
-        .filter(|(_, cells)| !cells.is_empty())
-        .collect()
+    let mut lines = Vec::new();
+    for line in text.split_inclusive('\n') {
+        let marks = [' ', '\r', '\n', '#', '%', '/', '*'];
+        let inside = line
+            .trim_start_matches(marks)
+            .trim_end_matches([' ', '\r', '\n']);
+        // LAMMPS: `ITEM: ATOMS id type x y z`.
+        let inside = inside.strip_prefix("ITEM: ATOMS").unwrap_or(inside);
+        let cells = cells(inside, way);
+        if !cells.is_empty() {
+            lines.push((span_in(text, inside), cells));
+        }
+    }
+    lines
+}
+
+/// Where a piece of a text stands in it.
+fn span_in(text: &str, piece: &str) -> Span {
+    let start = piece.as_ptr() as usize - text.as_ptr() as usize;
+    Span::from(start..start + piece.len())
 }
 
 fn cells(line: &str, way: Divided) -> Vec<&str> {
@@ -288,46 +296,27 @@ fn is_name(cell: &str) -> bool {
     cell.starts_with(|first: char| first.is_alphabetic() || "_%.".contains(first))
 }
 
-/// The numbers of a row under the names of their columns.
-fn groups<'t>(
-    text: &'t str,
-    cells: &[&'t str],
-    columns: &[Vec<&'t str>],
-    way: Divided,
-) -> Vec<Group<'t>> {
-    cells
-        .iter()
-        .zip(columns)
-        .filter_map(|(cell, names)| {
-            let start = cell.as_ptr() as usize - text.as_ptr() as usize;
-            Some(Group {
-                path: std::iter::once("").chain(names.iter().copied()).collect(),
-                numbers: vec![number(cell, way)?],
-                rows: vec![1],
-                span: Span::from(start..start + cell.len()),
-                scope: usize::MAX,
-                is_computed: false,
-                is_of_call: false,
-                is_of_unknown_call: false,
-                has_lengths: false,
-                unit: None,
-                has_commas: true,
-                is_line: false,
-            })
-        })
-        .collect()
+/// The number of a cell under the names of its column.
+fn group<'t>(text: &str, cell: &str, names: &[&'t str], way: Divided) -> Option<Group<'t>> {
+    Some(Group {
+        numbers: vec![number(cell, way)?],
+        rows: vec![1],
+        has_commas: true,
+        ..Group::at(span_in(text, cell), [&[""], names].concat())
+    })
 }
 
 /// The channels of the joints of a BVH, in the order of the numbers of a row.
 fn channels<'t>(lines: &[Line<'t>]) -> Option<(usize, Vec<&'t str>)> {
-    let is_channels = |cells: &[&str]| cells.first() == Some(&"CHANNELS");
-    let names: Vec<&str> = lines
-        .iter()
-        .filter(|(_, cells)| is_channels(cells))
-        .flat_map(|(_, cells)| cells.iter().skip(2).copied())
-        .collect();
-    let last = lines.iter().rposition(|(_, cells)| is_channels(cells))?;
-    Some((last, names))
+    let mut names = Vec::new();
+    let mut last = None;
+    for (at, (_, cells)) in lines.iter().enumerate() {
+        if let ["CHANNELS", _, own @ ..] | ["CHANNELS", own @ ..] = &cells[..] {
+            names.extend_from_slice(own);
+            last = Some(at);
+        }
+    }
+    Some((last?, names))
 }
 
 /// The names in the line that describes a record of an `ArduPilot` log: `FMT, 70, 28, ATT, QccC, TimeUS,Roll`.

@@ -21,29 +21,25 @@ struct Turn {
 /// The turns of a text, each about an axis of the one before: `rotateY(10deg) rotateX(20deg)` of CSS, the
 /// elements `rotate` of COLLADA, the product of angles and axes of Eigen, the channels of BVH.
 pub(crate) fn turns(quantities: &Quantities<'_>, context: &Context) -> Vec<Found> {
-    let css: Vec<Turn> = quantities
-        .named
-        .iter()
-        .filter(|named| named.stem.ends_with("rotate"))
-        .flat_map(|named| turns_of(named, |name| Some(name.to_owned())))
-        .collect();
-    let elements: Vec<Turn> = quantities.groups.iter().filter_map(of_element).collect();
-    let product: Vec<Turn> = quantities
-        .groups
-        .iter()
-        .filter_map(|group| of_product(group, quantities))
-        .collect();
-    let mut found: Vec<Found> = [
-        (css, Unit::BySize),
-        (elements, Unit::Usually(AngleUnit::Degrees)),
-        (product, Unit::Always(AngleUnit::Radians)),
-    ]
-    .into_iter()
-    .filter_map(|(turns, unit)| together(&turns, "", unit, context))
-    .collect();
+    let (mut css, mut elements, mut product) = (Vec::new(), Vec::new(), Vec::new());
     for named in &quantities.named {
-        let of_joint = |name: &str| name.strip_suffix("rotation").map(str::to_owned);
-        let turns: Vec<Turn> = turns_of(named, of_joint).collect();
+        if named.stem.ends_with("rotate") {
+            add_turns(named, "", &mut css);
+        }
+    }
+    for group in &quantities.groups {
+        elements.extend(of_element(group));
+        product.extend(of_product(group, quantities));
+    }
+    let mut found = Vec::new();
+    found.extend(together(&css, "", Unit::BySize, context));
+    let degrees = Unit::Usually(AngleUnit::Degrees);
+    found.extend(together(&elements, "", degrees, context));
+    let radians = Unit::Always(AngleUnit::Radians);
+    found.extend(together(&product, "", radians, context));
+    for named in &quantities.named {
+        let mut turns = Vec::new();
+        add_turns(named, "rotation", &mut turns);
         if turns.len() == 3 {
             let label = label_of(&named.path);
             let unit = Unit::Always(AngleUnit::Degrees);
@@ -53,21 +49,23 @@ pub(crate) fn turns(quantities: &Quantities<'_>, context: &Context) -> Vec<Found
     found
 }
 
-/// The turns among numbers by name, whose axes `axis` finds in the names.
-fn turns_of<'n>(
-    named: &'n Named<'_>,
-    axis: impl Fn(&str) -> Option<String> + 'n,
-) -> impl Iterator<Item = Turn> + 'n {
-    named.members.iter().filter_map(move |member| {
-        let axis = axis(&member.name)?;
-        ["x", "y", "z"].contains(&axis.as_str()).then(|| Turn {
-            axis: axis.chars().next().unwrap_or(' '),
+/// Adds the turns among numbers by name: those whose names are an axis and this behind it.
+fn add_turns(named: &Named<'_>, behind_axis: &str, turns: &mut Vec<Turn>) {
+    for member in &named.members {
+        let axis = match member.name.strip_suffix(behind_axis) {
+            Some("x") => 'x',
+            Some("y") => 'y',
+            Some("z") => 'z',
+            _ => continue,
+        };
+        turns.push(Turn {
+            axis,
             angle: member.value,
             unit: member.unit,
             span: member.span,
             is_computed: member.is_computed,
-        })
-    })
+        });
+    }
 }
 
 /// `<rotate sid="rotationZ">0 0 1 25</rotate>`: an axis of the coordinates, and the angle.
@@ -115,8 +113,20 @@ fn of_product(group: &Group<'_>, quantities: &Quantities<'_>) -> Option<Turn> {
 /// Up to three turns as angles of a sequence; those that are not there are zero.
 fn together(turns: &[Turn], label: &str, unit: Unit, context: &Context) -> Option<Found> {
     let first = turns.first()?;
-    let mut letters: String = turns.iter().map(|turn| turn.axis).collect();
-    let mut numbers: Vec<f64> = turns.iter().map(|turn| turn.angle).collect();
+    let mut letters = String::new();
+    let mut numbers = Vec::new();
+    let mut found = Found {
+        label: label.to_owned(),
+        ..Found::at(first.span)
+    };
+    let mut told_unit = None;
+    for turn in turns {
+        letters.push(turn.axis);
+        numbers.push(turn.angle);
+        found.span = found.span.to(turn.span);
+        found.is_computed |= turn.is_computed;
+        told_unit = told_unit.or(turn.unit);
+    }
     for axis in ['x', 'y', 'z'] {
         if letters.len() < 3 && !letters.contains(axis) {
             letters.push(axis);
@@ -128,17 +138,9 @@ fn together(turns: &[Turn], label: &str, unit: Unit, context: &Context) -> Optio
     let said = Said {
         sequence: None,
         letters: Some(&letters),
-        unit: turns.iter().find_map(|turn| turn.unit).or(context.unit),
+        unit: told_unit.or(context.unit),
         ..context.said(&meaning)
     };
-    let made = made(&[Part::Euler(Angles::new("XYZ", unit))], &numbers, said)?;
-    Some(Found {
-        made: made.into_iter().next()?,
-        label: label.to_owned(),
-        span: first.span.to(turns.last()?.span),
-        is_derived: false,
-        is_computed: turns.iter().any(|turn| turn.is_computed),
-        format: None,
-        has_rows: true,
-    })
+    found.made = made(&[Part::Euler(Angles::new("XYZ", unit))], &numbers, said)?.pop()?;
+    Some(found)
 }

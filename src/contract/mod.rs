@@ -8,6 +8,7 @@
 mod attitude;
 
 // What stands around a rotation in a text.
+#[cfg(feature = "whole")]
 mod found;
 
 // What an identification answers.
@@ -32,6 +33,7 @@ pub mod request;
 mod translation;
 
 pub use crate::contract::attitude::*;
+#[cfg(feature = "whole")]
 pub use crate::contract::found::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::matrices::*;

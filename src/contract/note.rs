@@ -1,5 +1,6 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
+#[cfg(feature = "whole")]
 use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription};
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
@@ -94,12 +95,16 @@ pub enum Fact {
     /// Only the count of the numbers says that they are a rotation: their label says nothing of one.
     RotationAssumed(RotationAssumed),
     /// The rotation was found in a text that holds more.
+    #[cfg(feature = "whole")]
     FoundInText(FoundInText),
     /// The text holds the rotation a second time, in another description.
+    #[cfg(feature = "whole")]
     SecondDescription(OtherDescription),
     /// The text holds another rotation beside it, where it should be the same one.
+    #[cfg(feature = "whole")]
     DescriptionsDisagree(OtherDescription),
     /// Nothing names the numbers: they were read as a row of this format, as which they pass.
+    #[cfg(feature = "whole")]
     FormatAssumed(FormatAssumed),
 }
 
@@ -112,7 +117,9 @@ impl Fact {
     /// - a norm that is far from 1: the numbers may be a point, or an axis and an angle;
     /// - an unknown constructor: the order was declared for numbers, and its own may be the other one;
     /// - an assumed unit of angles: degrees for radians are another rotation by a factor of 57;
-    /// - assumed rows, and axes as columns: the other way is the inverse rotation.
+    /// - assumed rows, and axes as columns: the other way is the inverse rotation;
+    /// - numbers that no word calls a rotation, and a row that nothing calls one of its format;
+    /// - another rotation beside the one that was read, where it should be the same.
     ///
     /// These do not: the text is what it says, or the reader declared how it is read.
     ///
@@ -120,7 +127,8 @@ impl Fact {
     ///   rounding, and how far off it was is told;
     /// - an order that the text tells, that was declared, or that makes no difference;
     /// - a turn that is none or half, or nearly, and a negative scalar: facts of the very rotation;
-    /// - a number that no double holds: it is left out, and no other stands in its place.
+    /// - a number that no double holds: it is left out, and no other stands in its place;
+    /// - a direction and columns that the text tells, and what else stands in it.
     ///
     /// ```
     /// use quatlas::{Convention, Fact, Outcome, ReadRequest, Request, analyze};
@@ -143,9 +151,9 @@ impl Fact {
             | Self::AngleUnitAssumed(_)
             | Self::RowsAssumed(_)
             | Self::AxesAsColumns(_)
-            | Self::DescriptionsDisagree(_)
-            | Self::RotationAssumed(_)
-            | Self::FormatAssumed(_) => true,
+            | Self::RotationAssumed(_) => true,
+            #[cfg(feature = "whole")]
+            Self::DescriptionsDisagree(_) | Self::FormatAssumed(_) => true,
             Self::Normalised(_)
             | Self::NearestRotation(_)
             | Self::OrderFromText(_)
@@ -158,9 +166,9 @@ impl Fact {
             | Self::NearlyHalfTurn(_)
             | Self::OutOfRange(_)
             | Self::DirectionFromText(_)
-            | Self::FoundInText(_)
-            | Self::SecondDescription(_)
             | Self::ColumnsFromText(_) => false,
+            #[cfg(feature = "whole")]
+            Self::FoundInText(_) | Self::SecondDescription(_) => false,
         }
     }
 }

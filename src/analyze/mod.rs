@@ -44,6 +44,10 @@ mod reading;
 #[cfg(feature = "whole")]
 mod record;
 
+// Which of several rotations in a text is meant.
+#[cfg(feature = "whole")]
+mod record_choices;
+
 // The numbers of records that have no quaternion.
 mod record_numbers;
 

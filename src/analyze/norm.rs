@@ -23,6 +23,18 @@ pub(crate) fn is_far_from_unit(parsed: &ParsedQuaternion, norm: f64) -> bool {
 
 /// That numbers of such a norm are read; what else they may be, a build without suggestions cannot ask.
 pub(crate) fn check_norm(parsed: &ParsedQuaternion, norm: f64, span: Span) -> Result<(), Fault> {
+    // Four times −9999 is what some programs write for no value.
+    let first = parsed.quaternion.w;
+    if cfg!(feature = "whole")
+        && norm > NO_QUATERNION
+        && parsed
+            .quaternion
+            .coords
+            .iter()
+            .all(|number| *number == first)
+    {
+        return Err(Fault::far_from_unit(span, norm));
+    }
     if !is_far_from_unit(parsed, norm) || norm == 0.0 {
         return Ok(());
     }

@@ -2,6 +2,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::plain_numbers::plain as plain_number;
+use crate::analyze::record_choices::{several_rotations, several_rows};
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
     RotationAssumed,
@@ -10,12 +11,10 @@ use crate::convention::Direction;
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
-use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::problem::{ProblemCode, Span, shorten};
-use crate::text::mend::written::rotation_text;
 use crate::text::{
     DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record, RecordRotation,
-    RotationText, RowMarks, Told, What, record_of, says_nothing,
+    RotationText, RowMarks, Told, What, other_than_rotation, record_of, says_nothing,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -95,7 +94,8 @@ fn read_all<'r>(
 ) -> (Vec<Read<'r>>, Option<Fault>) {
     let mut read = Vec::new();
     let mut fault = None;
-    for found in record.rotations.iter().filter(|found| !found.is_derived) {
+    let is_meant = |found: &&RecordRotation| !found.is_derived && !is_another_quantity(found);
+    for found in record.rotations.iter().filter(is_meant) {
         let parsed = RotationText {
             rotation: as_declared(found, declared),
             row_marks: match (found.by_columns, found.has_rows) {
@@ -242,6 +242,11 @@ fn is_of_format(found: &RecordRotation, declared: Declared) -> bool {
     })
 }
 
+/// Whether the label of numbers that may be anything names something else.
+fn is_another_quantity(found: &RecordRotation) -> bool {
+    may_be_anything(found) && other_than_rotation(&found.label).is_some()
+}
+
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
 /// translation in its last row, so it is as it was printed again.
 fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
@@ -270,13 +275,18 @@ const LONGEST_LABEL: usize = 40;
 /// Whether only the count of the numbers, or that they are upright, makes a rotation of them: the label
 /// says nothing, and no format is marked.
 fn is_assumed(found: &RecordRotation) -> bool {
+    may_be_anything(found) && !found.label.is_empty() && says_nothing(&found.label)
+}
+
+/// Whether neither a format nor the numbers themselves say that they are a rotation.
+fn may_be_anything(found: &RecordRotation) -> bool {
     let is_any = match &found.rotation {
         ParsedRotation::Quaternion(parsed) => parsed.order_source == OrderSource::Declared,
         // A matrix of real numbers that is one is no accident; a permutation may be anything.
         ParsedRotation::Matrix(matrix) => matrix.iter().all(|entry| entry.fract() == 0.0),
         _ => false,
     };
-    found.format.is_none() && is_any && !found.label.is_empty() && says_nothing(&found.label)
+    is_any && found.format.is_none()
 }
 
 fn named(label: &str) -> Option<String> {
@@ -346,48 +356,4 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
             [origin.x, origin.y, origin.z].map(plain_number)
         }
     }
-}
-
-/// That there are several rotations, each as a text of its own.
-fn several_rotations(record: &Record, text: &str) -> Fault {
-    let span = Span::of_trimmed(text);
-    let rotations = record.rotations.iter().filter(|found| !found.is_derived);
-    let count = rotations.clone().count();
-    Fault::several_rotations(span, count).offering(|| {
-        rotations
-            .enumerate()
-            .map(|(at, found)| Suggestion {
-                label: Some(if found.label.is_empty() {
-                    format!("{}", at + 1)
-                } else {
-                    found.label.clone()
-                }),
-                ..Suggestion::new(Remedy::ThisRotation, rotation_text(&found.rotation))
-            })
-            .collect()
-    })
-}
-
-/// That there are several rows of a file: the names above and one of them is a text of its own.
-fn several_rows(record: &Record, text: &str) -> Fault {
-    let span = record.rows[0].to(record.rows[record.rows.len() - 1]);
-    Fault::several_rows(span, record.rows.len()).offering(|| {
-        let head = record.head.map_or("", |head| &text[head.start..head.end]);
-        let last = record.rows.len() - 1;
-        [0, last]
-            .into_iter()
-            .map(|at| {
-                let row = &text[record.rows[at].start..record.rows[at].end];
-                let text = if head.is_empty() {
-                    row.to_owned()
-                } else {
-                    format!("{head}\n{row}")
-                };
-                Suggestion {
-                    label: Some(format!("row {}", at + 1)),
-                    ..Suggestion::new(Remedy::ThisRotation, text)
-                }
-            })
-            .collect()
-    })
 }

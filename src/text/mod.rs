@@ -157,7 +157,7 @@ use crate::text::readers::rotation;
 pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::vocabulary::labels::says_nothing;
+pub(crate) use crate::text::vocabulary::labels::{other_than_rotation, says_nothing};
 use nalgebra::Vector3;
 
 /// The rotation that a text holds, in whichever description it is written.

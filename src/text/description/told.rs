@@ -350,6 +350,6 @@ fn is_told_in_prose(made: Derived, wanted: Wanted) -> bool {
     match made {
         Derived::Negative => false,
         Derived::Rate => wanted == Wanted::Quaternion,
-        Derived::Inverse | Derived::Conjugate | Derived::Transposed | Derived::Spread => true,
+        _ => true,
     }
 }

@@ -64,6 +64,10 @@ pub(crate) enum Derived {
     Rate,
     /// A variance, a noise, a bias.
     Spread,
+    /// A logarithm, a square root.
+    Function,
+    /// Several of them, each in three numbers.
+    Several,
 }
 
 impl Derived {
@@ -75,6 +79,8 @@ impl Derived {
             Self::Negative => "a negative",
             Self::Rate => "a rate or a derivative",
             Self::Spread => "a variance, a noise or a bias",
+            Self::Function => "a logarithm or a root",
+            Self::Several => "several rotations",
         }
     }
 }
@@ -116,13 +122,21 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::Derived(Derived::Negative),
     ),
     (
-        "dot ddot deriv derivative rate rates vel velocity velocities speed speeds acceleration \
+        "dot ddot deriv derivative omegaq qomega omegaquat rate rates vel velocity velocities speed speeds acceleration \
          accelerations gradient grad jacobian hessian",
         LabelWord::Derived(Derived::Rate),
     ),
     (
         "cov covar covariance var variance std stddev stdev sigma sigmas noise bias biases",
         LabelWord::Derived(Derived::Spread),
+    ),
+    (
+        "logq logquat qlog quatlog lnq sqrtq sqrtquat qsqrt quatsqrt logr logrotation sqrtr",
+        LabelWord::Derived(Derived::Function),
+    ),
+    (
+        "rvecs rotvecs eulers rpys",
+        LabelWord::Derived(Derived::Several),
     ),
     (
         "columnmajor colmajor columns cols columnwise colwise",
@@ -173,6 +187,10 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     (
         "inertia inertias mass masses",
         LabelWord::Quantity("a mass or an inertia"),
+    ),
+    (
+        "confusion adjacency permutation stiffness correlation affinity similarity",
+        LabelWord::Quantity("another matrix"),
     ),
     (
         "wheel wheels motor motors rotor rotors rpm pwm throttle throttles",

@@ -11,7 +11,7 @@ use crate::text::grammar::decimal_text::is_decimal;
 use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::vocabulary::labels::{Derived, LabelWord, meanings_of, words_of};
 use crate::text::vocabulary::phrases::{is_mark, is_name, is_sequence};
-use crate::text::vocabulary::{Comment, Telling};
+use crate::text::vocabulary::{Comment, Telling, is_listed};
 
 /// What labels and comments tell, as far as it is no part of a form.
 #[derive(Clone, Debug, Default)]
@@ -310,7 +310,7 @@ const PLAIN: &str = "quat quaternion rotation qw qx qy qz orientation q_wxyz q_x
 /// Whether a label says nothing besides what its form is.
 fn is_plain(name: &str) -> bool {
     let is_letter = name.len() == 1 && !matches!(name, "t" | "J" | "K" | "P" | "S" | "W");
-    is_letter || is_sequence(name) || PLAIN.split(' ').any(|plain| plain == name)
+    is_letter || is_sequence(name) || is_listed(name, PLAIN)
 }
 
 /// How a label says that nine numbers stand.

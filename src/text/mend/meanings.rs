@@ -9,7 +9,7 @@ use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::description::ParsedRotation;
 use crate::text::description::angle::FULL_TURN_RAD;
 use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::mend::number_text::exact;
+use crate::text::mend::number_text::{exact, exact_list};
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -55,7 +55,7 @@ fn as_quaternion(
         is_announced: true,
         ..parsed.clone()
     };
-    let numbers = in_order(parsed).map(exact).join(" ");
+    let numbers = exact_list(&in_order(parsed));
     let texts = saying_quaternion(text).into_iter();
     texts
         .chain([format!("quaternion {numbers}")])
@@ -114,7 +114,7 @@ fn others(parsed: &ParsedQuaternion) -> Vec<Candidate> {
         let suggestion = Suggestion::new(remedy, text);
         found.push(Candidate { suggestion, unit });
     };
-    let list = |axis: [f64; 3]| format!("[{}]", axis.map(exact).join(" "));
+    let list = |axis: [f64; 3]| format!("[{}]", exact_list(&axis));
     let front = [first, second, third];
     let back = [second, third, fourth];
     if are_axis_and_angle(front, fourth) {

@@ -2,46 +2,54 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::text::description::ParsedRotation;
-use crate::text::mend::number_text::{exact, rows_text};
+use crate::text::mend::number_text::{exact, exact_list, rows_text};
+use nalgebra::Vector3;
 
 /// A text that is read as the same rotation, whatever is declared of order and unit.
 pub(crate) fn rotation_text(rotation: &ParsedRotation) -> String {
-    let list = |numbers: [f64; 3]| numbers.map(exact).join(" ");
     match rotation {
         ParsedRotation::Quaternion(parsed) => {
             let quaternion = parsed.quaternion;
-            let [w, x, y, z] = [quaternion.w, quaternion.i, quaternion.j, quaternion.k].map(exact);
-            format!("w={w} x={x} y={y} z={z}")
+            let mut text = String::new();
+            for (name, number) in [
+                ("w=", quaternion.w),
+                (" x=", quaternion.i),
+                (" y=", quaternion.j),
+                (" z=", quaternion.k),
+            ] {
+                text.push_str(name);
+                text.push_str(&exact(number));
+            }
+            text
         }
-        ParsedRotation::AxisAngle(parsed) => format!(
-            "axis-angle [{}] {}",
-            list(parsed.axis.into()),
-            angle(parsed.angle_rad, parsed.unit.unit())
-        ),
-        ParsedRotation::RotationVector(parsed) => {
-            format!("rotvec [{}] rad", list(parsed.vector_rad.into()))
+        ParsedRotation::AxisAngle(parsed) => {
+            let axis = list("axis-angle [", &parsed.axis, "]");
+            axis + &angle(parsed.angle_rad, parsed.unit.unit())
         }
-        ParsedRotation::HalfAngleVector(parsed) => {
-            format!("halfangle [{}] rad", list(parsed.vector_rad.into()))
-        }
-        ParsedRotation::GibbsVector(vector) => format!("gibbs {}", list((*vector).into())),
-        ParsedRotation::ModifiedRodrigues(vector) => format!("mrp {}", list((*vector).into())),
+        ParsedRotation::RotationVector(parsed) => list("rotvec [", &parsed.vector_rad, "] rad"),
+        ParsedRotation::HalfAngleVector(parsed) => list("halfangle [", &parsed.vector_rad, "] rad"),
+        ParsedRotation::GibbsVector(vector) => list("gibbs ", vector, ""),
+        ParsedRotation::ModifiedRodrigues(vector) => list("mrp ", vector, ""),
         ParsedRotation::EulerAngles(parsed) => {
-            let angles = parsed
-                .angles_rad
-                .map(|angle_rad| angle(angle_rad, parsed.unit.unit()));
-            format!("{} {}", parsed.sequence, angles.join(" "))
+            let mut text = parsed.sequence.to_string();
+            for angle_rad in parsed.angles_rad {
+                text.push_str(&angle(angle_rad, parsed.unit.unit()));
+            }
+            text
         }
-        ParsedRotation::Matrix(matrix) => {
-            let rows = [0, 1, 2].map(|row| [0, 1, 2].map(|column| matrix[(row, column)]));
-            rows_text(&rows)
-        }
+        ParsedRotation::Matrix(matrix) => rows_text(&matrix.transpose().into()),
     }
 }
 
+fn list(before: &str, numbers: &Vector3<f64>, behind: &str) -> String {
+    [before, &exact_list(numbers.as_slice()), behind].concat()
+}
+
+/// An angle behind a space.
 fn angle(angle_rad: f64, unit: AngleUnit) -> String {
-    match unit {
-        AngleUnit::Degrees => format!("{}deg", exact(angle_rad.to_degrees())),
-        AngleUnit::Radians => format!("{}rad", exact(angle_rad)),
-    }
+    let (number, word) = match unit {
+        AngleUnit::Degrees => (angle_rad.to_degrees(), "deg"),
+        AngleUnit::Radians => (angle_rad, "rad"),
+    };
+    [" ", &exact(number), word].concat()
 }

@@ -5,6 +5,7 @@ use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
 use crate::text::record::names::{is_holder, words_of};
 use crate::text::vocabulary::constructors::{Call, call, is_matrix, order_in_name};
+use crate::text::vocabulary::is_listed;
 use crate::text::vocabulary::labels::is_derived;
 
 /// What numbers are by their name.
@@ -111,7 +112,7 @@ fn role_of_word(word: &str) -> Option<Role> {
     }
     ROLES
         .iter()
-        .find(|(_, words)| words.split_whitespace().any(|known| known == word))
+        .find(|(_, words)| is_listed(word, words))
         .map(|&(role, _)| role)
 }
 

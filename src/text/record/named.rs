@@ -3,6 +3,7 @@
 use crate::convention::angle::AngleUnit;
 use crate::text::record::names::{name_and_stem, words_of};
 use crate::text::record::quantity::{Group, Named, NamedNumber, is_named, own_key};
+use crate::text::vocabulary::is_listed;
 
 /// The single numbers by name, those together that stand together.
 pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
@@ -59,10 +60,9 @@ fn belongs(named: &Named<'_>, stem: &str, member: &NamedNumber, is_last: bool) -
     let is_new = named.members.iter().all(|own| own.name != member.name);
     let follows = || {
         let last = named.members.last().map_or("", |last| &last.name);
-        FOLLOWING.iter().any(|names| {
-            let names: Vec<&str> = names.split(' ').collect();
-            names.contains(&last) && names.contains(&&*member.name)
-        })
+        FOLLOWING
+            .iter()
+            .any(|names| is_listed(last, names) && is_listed(&member.name, names))
     };
     let tells_first_only = stem.is_empty() && !named.others_have_stem && is_last && follows();
     named.members.len() < MOST_NAMES && is_new && (stem == named.stem || tells_first_only)

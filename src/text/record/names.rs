@@ -1,5 +1,7 @@
 //! Names to the words in them.
 
+use crate::text::vocabulary::is_listed;
+
 /// The words of a name, in small letters: `m_LocalRotation` is m, local, rotation.
 pub(crate) fn words_of(name: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
@@ -121,7 +123,7 @@ pub(crate) fn is_usual_name(cell: &str) -> bool {
                          rx ry rz a b c o t phi theta psi phi1 phi2 omega kappa quatw quati quatj quatk \
                          euler1 euler2 euler3 ox oy oz ow xposition yposition zposition xrotation yrotation zrotation orient1 orient2 orient3 orient4";
     let (name, _) = name_and_stem(cell);
-    NAMES.split_whitespace().any(|known| known == name)
+    is_listed(&name, NAMES)
 }
 
 /// The names of a list of numbers where there are as many: `roll, pitch, yaw`, `φ₁, Φ, φ₂`, `X,Y,Z`.
@@ -137,7 +139,7 @@ pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
         .collect();
     let is_one = |name: &&str| {
         let (own, stem) = name_and_stem(name);
-        stem.is_empty() && ANGLES.split(' ').any(|known| known == own)
+        stem.is_empty() && is_listed(&own, ANGLES)
     };
     let distinct = |names: &[&str]| (1..names.len()).all(|at| !names[..at].contains(&names[at]));
     (names.len() == count && names.iter().all(is_one) && distinct(&names)).then_some(names)
@@ -147,5 +149,5 @@ pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
 pub(crate) fn is_holder(key: &str) -> bool {
     const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
                            np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
-    identifiers_of(key).all(|word| HOLDERS.split_whitespace().any(|holder| holder == word))
+    identifiers_of(key).all(|word| is_listed(&word, HOLDERS))
 }

@@ -9,6 +9,7 @@ use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::names::words_of;
 use crate::text::record::parts::made;
 use crate::text::record::quantity::{Named, NamedNumber};
+use crate::text::vocabulary::is_listed;
 
 /// Adds what numbers by name are.
 pub(crate) fn of_named(
@@ -97,7 +98,7 @@ pub(crate) fn of_named(
         let Some(made) = made(&parts, &numbers, said).or_else(any_norm) else {
             continue;
         };
-        left.retain(|member| !names.split(' ').any(|name| name == member.name));
+        left.retain(|member| !is_listed(&member.name, names));
         let mut found = Found {
             label: label_of(&path),
             is_derived: meaning.role == Some(Role::Derived),

@@ -9,6 +9,7 @@ use crate::text::record::names::words_of;
 use crate::text::record::quantity::Value;
 use crate::text::record::scan::{Mark, Token};
 use crate::text::vocabulary::constructors::order_in_name;
+use crate::text::vocabulary::is_listed;
 use crate::text::vocabulary::labels::is_derived;
 
 /// What words with a name say of all numbers: `angle="radian"`, `_order: 'XYZ'`, `rotation_format='quat_xyzw'`.
@@ -117,7 +118,7 @@ pub(crate) fn is_plain(quantities: &Quantities<'_>, context: &Context) -> bool {
         .any(|format| !format.marks.is_empty());
     let announces = |path: &[&str]| {
         let first = path.iter().flat_map(|key| words_of(key)).next();
-        first.is_none_or(|first| ANNOUNCING.split_whitespace().any(|word| word == first))
+        first.is_none_or(|first| is_listed(&first, ANNOUNCING))
     };
     let is_alone = match (&quantities.groups[..], &quantities.named[..]) {
         // Rows of files have more numbers.

@@ -7,6 +7,7 @@ use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::text::vocabulary::constructors::order_in_name;
+use crate::text::vocabulary::is_listed;
 use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, STEMS, WORDS, WORLDS};
 pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
@@ -61,8 +62,7 @@ pub(crate) fn meaning_of_word(word: &str) -> Option<LabelWord> {
 }
 
 fn listed(lower: &str) -> Option<LabelWord> {
-    let is_in = |words: &str| words.split_ascii_whitespace().any(|known| known == lower);
-    let found = WORDS.iter().find(|(words, _)| is_in(words));
+    let found = WORDS.iter().find(|(words, _)| is_listed(lower, words));
     found.map(|&(_, meaning)| meaning)
 }
 
@@ -93,9 +93,7 @@ fn made_of_a_stem(lower: &str) -> Option<LabelWord> {
 
 /// The direction from one frame to another, where one is a world and one a body.
 fn between_frames(from: &str, to: &str) -> Option<LabelWord> {
-    let is_of =
-        |frame: &str, frames: &str| frames.split_ascii_whitespace().any(|known| known == frame);
-    let leads = |one: &str, other: &str| is_of(from, one) && is_of(to, other);
+    let leads = |one: &str, other: &str| is_listed(from, one) && is_listed(to, other);
     let direction = match () {
         () if leads(WORLDS, BODIES) => Direction::WorldToBody,
         () if leads(BODIES, WORLDS) => Direction::BodyToWorld,
@@ -230,10 +228,7 @@ const LONGEST_SYMBOL: usize = 3;
 pub(crate) fn says_nothing(name: &str) -> bool {
     let is_known = |word: &str| {
         let lower = word.to_ascii_lowercase();
-        let is_listed = OF_ROTATIONS
-            .split_ascii_whitespace()
-            .any(|known| known == lower);
-        is_listed || meaning_of_word(word).is_some()
+        is_listed(&lower, OF_ROTATIONS) || meaning_of_word(word).is_some()
     };
     let is_symbol = name.is_ascii() && name.len() <= LONGEST_SYMBOL;
     !is_symbol && !words_of(name).any(is_known)

@@ -40,6 +40,11 @@ pub(crate) struct Telling<'t> {
     pub(crate) comments: Vec<Comment<'t>>,
 }
 
+/// Whether a word is one of these, which spaces divide.
+pub(crate) fn is_listed(word: &str, words: &str) -> bool {
+    words.split_ascii_whitespace().any(|known| known == word)
+}
+
 /// A comment with its marks, and where it stands.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Comment<'t> {

@@ -46,6 +46,16 @@ pub(crate) fn of_record(
 /// stays a problem of the text itself.
 fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
     let has_words = text.contains(char::is_alphabetic);
+    // `0.7,0.1,,-0.5,0.5`: a number is missing.
+    let has_empty_cell = || {
+        text.split(',')
+            .rev()
+            .skip(1)
+            .any(|cell| cell.trim().is_empty())
+    };
+    if !has_words && has_empty_cell() {
+        return false;
+    }
     let is_one_line = !text.trim().contains('\n');
     let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
     let is_of_format =

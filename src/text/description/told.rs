@@ -18,6 +18,8 @@ use crate::text::vocabulary::{Comment, Telling, is_listed};
 pub(crate) struct Told<'t> {
     /// That of four components, by a comment.
     pub(crate) order: Option<ComponentOrder>,
+    /// The same by a label.
+    label_order: Option<ComponentOrder>,
     /// That of all the angles, by a comment.
     pub(crate) unit: Option<AngleUnit>,
     /// Whether the nine numbers of a matrix stand by rows or by columns.
@@ -64,6 +66,7 @@ impl<'t> Told<'t> {
         }
         for word in meanings_of(written) {
             match word {
+                LabelWord::Order(order) => self.label_order = Some(order),
                 LabelWord::Handedness(_) | LabelWord::Direction(_) => {
                     self.conventions.push(saying(word));
                 }
@@ -83,7 +86,17 @@ impl<'t> Told<'t> {
             let refused =
                 |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
             let words: Vec<&str> = words_of(comment.text).collect();
-            letters.extend(words.iter().filter(|word| is_component(word)).copied());
+            let own: String = words
+                .iter()
+                .filter(|word| is_component(word))
+                .copied()
+                .collect();
+            // Of all four by themselves, or of one beside each number.
+            if own.len() == 4 {
+                self.take_letters(&own, comment, wanted)?;
+            } else {
+                letters += &own;
+            }
             for (at, word) in words.iter().enumerate() {
                 // `# 90 deg` says what this angle is.
                 let follows_number = at > 0 && is_decimal(words[at - 1]);
@@ -108,10 +121,7 @@ impl<'t> Told<'t> {
                     LabelWord::Quantity(_) if wanted == Wanted::Quaternion && words.len() < 3 => {
                         return Err(refused(word));
                     }
-                    LabelWord::Order(order) if self.order.is_some_and(|own| own != order) => {
-                        return Err(Fault::other_order(comment.span, wanted));
-                    }
-                    LabelWord::Order(order) => self.order = Some(order),
+                    LabelWord::Order(order) => self.take_order(order, comment, wanted)?,
                     LabelWord::Handedness(_) | LabelWord::Direction(_) => {
                         self.conventions.push(saying);
                     }
@@ -127,21 +137,28 @@ impl<'t> Told<'t> {
         {
             self.unit = Some(*unit);
         }
-        self.take_letters(&letters, comments, wanted)
+        match comments {
+            [first, ..] => self.take_letters(&letters, first, wanted),
+            [] => Ok(()),
+        }
     }
 
     /// `# x y z w`, `/* x */ 0.1, /* y */ …`
     fn take_letters(
         &mut self,
         letters: &str,
-        comments: &[Comment<'t>],
+        comment: &Comment<'t>,
         wanted: Wanted,
     ) -> Result<(), Fault> {
         let lower = letters.to_ascii_lowercase();
-        let order = match (wanted, lower.as_str()) {
-            (Wanted::Quaternion, "wxyz") => Some(ComponentOrder::ScalarFirst),
-            (Wanted::Quaternion, "xyzw") => Some(ComponentOrder::ScalarLast),
-            (Wanted::Vector, "xyz") => None,
+        match (wanted, lower.as_str()) {
+            (Wanted::Quaternion, "wxyz") => {
+                self.take_order(ComponentOrder::ScalarFirst, comment, wanted)
+            }
+            (Wanted::Quaternion, "xyzw") => {
+                self.take_order(ComponentOrder::ScalarLast, comment, wanted)
+            }
+            (Wanted::Vector, "xyz") => Ok(()),
             _ => {
                 let names = match wanted {
                     Wanted::Quaternion => "wxyz",
@@ -149,13 +166,26 @@ impl<'t> Told<'t> {
                 };
                 let is_permuted =
                     lower.len() == names.len() && names.chars().all(|name| lower.contains(name));
-                match comments.first().filter(|_| is_permuted) {
-                    Some(first) => return Err(Fault::other_order(first.span, wanted)),
-                    None => None,
+                if is_permuted {
+                    Err(Fault::other_order(comment.span, wanted))
+                } else {
+                    Ok(())
                 }
             }
-        };
-        self.order = self.order.or(order);
+        }
+    }
+
+    /// The order that a comment tells; a problem where a label or another comment tells the other one.
+    fn take_order(
+        &mut self,
+        order: ComponentOrder,
+        comment: &Comment<'t>,
+        wanted: Wanted,
+    ) -> Result<(), Fault> {
+        if [self.order, self.label_order].contains(&Some(order.other())) {
+            return Err(Fault::other_order(comment.span, wanted));
+        }
+        self.order = Some(order);
         Ok(())
     }
 

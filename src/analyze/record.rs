@@ -137,10 +137,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     if others.iter().any(has_another) {
         return Some(Err(several_rotations(record, text)));
     }
-    let mut told: Vec<Fact> = others
-        .into_iter()
-        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
-        .collect();
+    let mut told = descriptions(text, &others);
     told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) && !has_mark_before(text, found.span) {
         return None;
@@ -186,16 +183,13 @@ fn beside_plain(
     } else {
         attitude
     };
-    let mut told: Vec<Fact> = others(&read, &attitude)
-        .into_iter()
-        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
-        .collect();
+    let mut told = descriptions(text, &others(&read, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     (!told.is_empty()).then(|| Ok(telling(attitude, told)))
 }
 
 fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
-    let told = attitude.told.iter().cloned().chain(told).collect();
+    let told = [&attitude.told[..], &told[..]].concat();
     Attitude { told, ..attitude }
 }
 
@@ -207,6 +201,14 @@ fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, 
     read.iter()
         .map(|(found, other)| (*found, differs_by_deg(chosen, other)))
         .collect()
+}
+
+fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {
+    let mut told = Vec::new();
+    for (other, differs_by_deg) in others {
+        told.push(description(text, other, *differs_by_deg));
+    }
+    told
 }
 
 /// That the text holds the rotation a second time, or another one.
@@ -299,33 +301,32 @@ fn found_in_text(
     attitude: &Attitude,
     text: &str,
 ) -> Option<Fact> {
-    let beside: Vec<Beside> = record
-        .beside
-        .iter()
-        .map(|beside| Beside {
-            quantity: match beside.what {
-                What::Position => BesideQuantity::Position,
-                What::Scale => BesideQuantity::Scale,
-            },
+    let mut all = Vec::new();
+    for beside in &record.beside {
+        let numbers = beside.numbers.map(plain_number);
+        let (quantity, body_in_world) = match beside.what {
+            What::Scale => (BesideQuantity::Scale, None),
+            What::Position if beside.is_in_world => (BesideQuantity::Position, Some(numbers)),
+            What::Position => {
+                let in_world = body_in_world(beside.numbers, attitude);
+                (BesideQuantity::Position, Some(in_world))
+            }
+        };
+        all.push(Beside {
+            quantity,
             label: named(&beside.label),
-            numbers: beside.numbers.map(plain_number),
-            body_in_world: (beside.what == What::Position).then(|| {
-                if beside.is_in_world {
-                    beside.numbers.map(plain_number)
-                } else {
-                    body_in_world(beside.numbers, attitude)
-                }
-            }),
-        })
-        .collect();
+            numbers,
+            body_in_world,
+        });
+    }
     let format = found.format.map(|format| format.name.to_owned());
-    let is_told = !beside.is_empty() || format.is_some();
+    let is_told = !all.is_empty() || format.is_some();
     is_told.then(|| {
         Fact::FoundInText(FoundInText {
             format,
             label: named(&found.label),
             text: text[found.span.start..found.span.end].to_owned(),
-            beside,
+            beside: all,
         })
     })
 }
@@ -351,43 +352,36 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
 /// That there are several rotations, each as a text of its own.
 fn several_rotations(record: &Record, text: &str) -> Fault {
     let span = Span::of_trimmed(text);
-    let rotations = record.rotations.iter().filter(|found| !found.is_derived);
-    let count = rotations.clone().count();
-    Fault::several_rotations(span, count).offering(|| {
-        rotations
-            .enumerate()
-            .map(|(at, found)| Suggestion {
-                label: Some(if found.label.is_empty() {
-                    format!("{}", at + 1)
-                } else {
-                    found.label.clone()
-                }),
-                ..Suggestion::new(Remedy::ThisRotation, rotation_text(&found.rotation))
-            })
-            .collect()
-    })
+    let mut offered = Vec::new();
+    for found in &record.rotations {
+        if !found.is_derived {
+            let label = named(&found.label).unwrap_or_else(|| (offered.len() + 1).to_string());
+            offered.push(kept(label, rotation_text(&found.rotation)));
+        }
+    }
+    Fault::several_rotations(span, offered.len()).offering(|| offered)
+}
+
+/// One of several rotations as a text of its own.
+fn kept(label: String, text: String) -> Suggestion {
+    Suggestion {
+        label: Some(label),
+        ..Suggestion::new(Remedy::ThisRotation, text)
+    }
 }
 
 /// That there are several rows of a file: the names above and one of them is a text of its own.
 fn several_rows(record: &Record, text: &str) -> Fault {
     let span = record.rows[0].to(record.rows[record.rows.len() - 1]);
-    Fault::several_rows(span, record.rows.len()).offering(|| {
-        let head = record.head.map_or("", |head| &text[head.start..head.end]);
-        let last = record.rows.len() - 1;
-        [0, last]
-            .into_iter()
-            .map(|at| {
-                let row = &text[record.rows[at].start..record.rows[at].end];
-                let text = if head.is_empty() {
-                    row.to_owned()
-                } else {
-                    format!("{head}\n{row}")
-                };
-                Suggestion {
-                    label: Some(format!("row {}", at + 1)),
-                    ..Suggestion::new(Remedy::ThisRotation, text)
-                }
-            })
-            .collect()
-    })
+    let mut offered = Vec::new();
+    for at in [0, record.rows.len() - 1] {
+        let mut with_head = String::new();
+        if let Some(head) = record.head {
+            with_head = text[head.start..head.end].to_owned();
+            with_head.push('\n');
+        }
+        with_head.push_str(&text[record.rows[at].start..record.rows[at].end]);
+        offered.push(kept(format!("row {}", at + 1), with_head));
+    }
+    Fault::several_rows(span, record.rows.len()).offering(|| offered)
 }

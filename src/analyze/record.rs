@@ -147,10 +147,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     if others.iter().any(has_another) {
         return Some(Err(several_rotations(record, text)));
     }
-    let mut told: Vec<Fact> = others
-        .into_iter()
-        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
-        .collect();
+    let mut told = descriptions(text, &others);
     told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) && !has_mark_before(text, found.span) {
         return None;
@@ -196,16 +193,13 @@ fn beside_plain(
     } else {
         attitude
     };
-    let mut told: Vec<Fact> = others(&read, &attitude)
-        .into_iter()
-        .map(|(other, differs_by_deg)| description(text, other, differs_by_deg))
-        .collect();
+    let mut told = descriptions(text, &others(&read, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     (!told.is_empty()).then(|| Ok(telling(attitude, told)))
 }
 
 fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
-    let told = attitude.told.iter().cloned().chain(told).collect();
+    let told = [&attitude.told[..], &told[..]].concat();
     Attitude { told, ..attitude }
 }
 
@@ -217,6 +211,14 @@ fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, 
     read.iter()
         .map(|(found, other)| (*found, differs_by_deg(chosen, other)))
         .collect()
+}
+
+fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {
+    let mut told = Vec::new();
+    for (other, differs_by_deg) in others {
+        told.push(description(text, other, *differs_by_deg));
+    }
+    told
 }
 
 /// That the text holds the rotation a second time, or another one.
@@ -319,33 +321,32 @@ fn found_in_text(
     attitude: &Attitude,
     text: &str,
 ) -> Option<Fact> {
-    let beside: Vec<Beside> = record
-        .beside
-        .iter()
-        .map(|beside| Beside {
-            quantity: match beside.what {
-                What::Position => BesideQuantity::Position,
-                What::Scale => BesideQuantity::Scale,
-            },
+    let mut all = Vec::new();
+    for beside in &record.beside {
+        let numbers = beside.numbers.map(plain_number);
+        let (quantity, body_in_world) = match beside.what {
+            What::Scale => (BesideQuantity::Scale, None),
+            What::Position if beside.is_in_world => (BesideQuantity::Position, Some(numbers)),
+            What::Position => {
+                let in_world = body_in_world(beside.numbers, attitude);
+                (BesideQuantity::Position, Some(in_world))
+            }
+        };
+        all.push(Beside {
+            quantity,
             label: named(&beside.label),
-            numbers: beside.numbers.map(plain_number),
-            body_in_world: (beside.what == What::Position).then(|| {
-                if beside.is_in_world {
-                    beside.numbers.map(plain_number)
-                } else {
-                    body_in_world(beside.numbers, attitude)
-                }
-            }),
-        })
-        .collect();
+            numbers,
+            body_in_world,
+        });
+    }
     let format = found.format.map(|format| format.name.to_owned());
-    let is_told = !beside.is_empty() || format.is_some();
+    let is_told = !all.is_empty() || format.is_some();
     is_told.then(|| {
         Fact::FoundInText(FoundInText {
             format,
             label: named(&found.label),
             text: text[found.span.start..found.span.end].to_owned(),
-            beside,
+            beside: all,
         })
     })
 }

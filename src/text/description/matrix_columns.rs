@@ -42,19 +42,24 @@ pub(crate) fn labelled_vectors<'s, 't>(
         return None;
     }
     label_ahead(tokens)?;
-    let labels: Vec<_> = at_depth_zero(tokens)
-        .filter_map(|at| Some((at, label_ahead(&tokens[at..])?)))
-        .collect();
-    let ends = labels.iter().skip(1).map(|&(at, _)| at);
-    let vectors = labels.iter().zip(ends.chain([tokens.len()]));
-    let vectors: Vec<_> = vectors
-        .map(|(&(at, label), end)| LabelledVector {
+    let mut vectors: Vec<LabelledVector<'s, 't>> = Vec::new();
+    // Where the numbers of the last one begin.
+    let mut start = 0;
+    for at in at_depth_zero(tokens) {
+        let Some(label) = label_ahead(&tokens[at..]) else {
+            continue;
+        };
+        if let Some(last) = vectors.last_mut() {
+            last.tokens = trimmed(&tokens[start..at]);
+        }
+        start = at + label.length;
+        vectors.push(LabelledVector {
             kind: label.kind,
             number: label.number,
-            label: span_of(&tokens[at..at + label.length], Span::default()),
-            tokens: trimmed(&tokens[at + label.length..end]),
-        })
-        .collect();
+            label: span_of(&tokens[at..start], Span::default()),
+            tokens: trimmed(&tokens[start..]),
+        });
+    }
     let is_of_one_kind = vectors.iter().all(|vector| vector.kind == vectors[0].kind);
     let are_vectors = vectors.len() > 1 && vectors.iter().all(LabelledVector::has_numbers);
     (is_of_one_kind && are_vectors).then_some(vectors)

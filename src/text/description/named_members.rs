@@ -158,29 +158,30 @@ fn of_one_value<'e, 't>(
         let before = at.checked_sub(1).and_then(|before| entries[before].key);
         key.heading.is_some() || before.is_some_and(|before| path(before) != path(key))
     };
-    let bounds: Vec<usize> = std::iter::once(0)
-        .chain((1..entries.len()).filter(|&at| starts(at)))
-        .chain([entries.len()])
-        .collect();
-    let groups = bounds.windows(2).map(|bound| &entries[bound[0]..bound[1]]);
-    if bounds.len() == 2 {
+    let mut groups = Vec::new();
+    let mut start = 0;
+    for at in 1..entries.len() {
+        if starts(at) {
+            groups.push(&entries[start..at]);
+            start = at;
+        }
+    }
+    groups.push(&entries[start..]);
+    let [_, second, ..] = groups[..] else {
         if let Some(key) = entries.first().and_then(|entry| entry.key) {
             label::check(key.heading.unwrap_or_else(|| path(key)), key.span, wanted)?;
         }
         return Ok(entries);
-    }
-    let is_orientation = |group: &&[Entry<'t>]| {
-        let key = group.first().and_then(|entry| entry.key);
-        key.is_some_and(|key| {
+    };
+    let mut orientation = None;
+    for group in groups {
+        let is_orientation = group[0].key.is_some_and(|key| {
             let heading = key.heading.unwrap_or_else(|| path(key));
             ORIENTATIONS.contains(&last_segment(heading))
-        })
-    };
-    let second = bounds[1];
-    let mut orientations = groups.filter(is_orientation);
-    match (orientations.next(), orientations.next()) {
-        (Some(only), None) => Ok(only),
-        (Some(_), Some(other)) => Err(Fault::several_values(other[0].node.span)),
-        (None, _) => Err(Fault::several_values(entries[second].node.span)),
+        });
+        if is_orientation && orientation.replace(group).is_some() {
+            return Err(Fault::several_values(group[0].node.span));
+        }
     }
+    orientation.ok_or_else(|| Fault::several_values(second[0].node.span))
 }

@@ -146,19 +146,26 @@ pub(crate) fn record_of(
     let tokens = scan(text);
     let mut quantities = Quantities::of(&outline(text, &tokens));
     let words = Words::of(&tokens);
-    let formats: Vec<&'static Format> = formats
-        .iter()
-        .flat_map(|family| family.iter())
-        .filter(|format| declared.library == Some(format.id) || is_marked(format, &words, text))
-        .collect();
-    let sentences: Vec<Sentence> = formats
-        .iter()
-        .flat_map(|format| format.fields)
-        .filter_map(|field| match field {
-            Field::Sentence(begins, names) => Some((*begins, *names)),
-            _ => None,
-        })
-        .collect();
+    let mut ordering = None;
+    let mut asked: Vec<&'static Format> = Vec::new();
+    let mut sentences: Vec<Sentence> = Vec::new();
+    for family in formats {
+        for format in *family {
+            let is_marked = is_marked(format, &words, text);
+            if !is_marked && declared.library != Some(format.id) {
+                continue;
+            }
+            if is_marked && ordering.is_none() && format.order.is_some() {
+                ordering = Some(format);
+            }
+            asked.push(format);
+            for field in format.fields {
+                if let Field::Sentence(begins, names) = field {
+                    sentences.push((begins, names));
+                }
+            }
+        }
+    }
     let mut rows = Vec::new();
     let mut head = None;
     if let Some(table) = Table::of(text, &sentences) {
@@ -175,24 +182,20 @@ pub(crate) fn record_of(
     }
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
-    let numbers = quantities.named.iter().flat_map(|named| &named.members);
-    settings.is_doubtful |= numbers.clone().any(|number| {
-        let is_order = ["order", "layout", "sequence"].contains(&number.name.as_str());
-        (is_order && number.value >= 100.0) || number.name == "first"
-    });
-    for number in numbers.filter(|number| number.name == "degrees") {
-        settings.unit = Some(if number.value == 1.0 {
-            AngleUnit::Degrees
-        } else {
-            AngleUnit::Radians
-        });
+    for named in &quantities.named {
+        for number in &named.members {
+            match number.name.as_str() {
+                "order" | "layout" | "sequence" => settings.is_doubtful |= number.value >= 100.0,
+                "first" => settings.is_doubtful = true,
+                "degrees" if number.value == 1.0 => settings.unit = Some(AngleUnit::Degrees),
+                "degrees" => settings.unit = Some(AngleUnit::Radians),
+                _ => {}
+            }
+        }
     }
     let context = Context {
-        ordering: formats
-            .iter()
-            .copied()
-            .find(|format| format.order.is_some() && is_marked(format, &words, text)),
-        formats,
+        ordering,
+        formats: asked,
         declared: declared.order,
         order: settings.order,
         unit: settings.unit,
@@ -206,7 +209,7 @@ pub(crate) fn record_of(
     quantities.groups.retain(|group| !is_in_sum(group.span));
     let mut all = found(&quantities, &context, plain);
     all.retain(|found| !is_in_sum(found.span));
-    all.extend(sums.iter().cloned());
+    all.extend_from_slice(&sums);
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful
         || is_one_line && context.unit.is_some() && all.iter().any(is_quaternion)
@@ -214,19 +217,56 @@ pub(crate) fn record_of(
         || is_one_line && !text.contains("*^") && is_plain(&quantities, &context)
         || is_one_line
             && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
-    let rotations: Vec<RecordRotation> = all
-        .iter()
-        .filter_map(rotation)
-        .take(MOST_ROTATIONS)
-        .collect();
-    let rotations = if is_doubtful { Vec::new() } else { rotations };
-    let beside = all.iter().filter_map(beside).collect();
-    Record {
-        rotations,
-        beside,
+    let mut record = Record {
+        rotations: Vec::new(),
+        beside: Vec::new(),
         quantities: quantities.groups.len() + quantities.named.len(),
         rows,
         head,
+    };
+    for found in all {
+        record.take(found, is_doubtful);
+    }
+    record
+}
+
+impl Record {
+    /// Takes what was found; rotations in doubt are none.
+    fn take(&mut self, found: Found, is_doubtful: bool) {
+        let is_in_world = matches!(found.made, Made::Centre(_));
+        let (rotation, by_columns) = match found.made {
+            Made::Rotation(rotation) => (rotation, false),
+            Made::Columns(rotation) => (rotation, true),
+            Made::Position(numbers) | Made::Centre(numbers) => {
+                return self.beside.push(Beside {
+                    what: What::Position,
+                    label: found.label,
+                    numbers,
+                    is_in_world,
+                });
+            }
+            Made::Scale(numbers) => {
+                return self.beside.push(Beside {
+                    what: What::Scale,
+                    label: found.label,
+                    numbers,
+                    is_in_world,
+                });
+            }
+            Made::Nothing => return,
+        };
+        if is_doubtful || self.rotations.len() >= MOST_ROTATIONS {
+            return;
+        }
+        self.rotations.push(RecordRotation {
+            rotation,
+            by_columns,
+            label: found.label,
+            span: found.span,
+            is_derived: found.is_derived || found.is_computed,
+            format: found.format,
+            has_rows: found.has_rows,
+        });
     }
 }
 
@@ -274,36 +314,5 @@ fn is_marked(format: &Format, words: &Words, text: &str) -> bool {
             Some(written) => text.contains(written),
             None => name.split(' ').all(|word| words.has(word)),
         })
-    })
-}
-
-fn rotation(found: &Found) -> Option<RecordRotation> {
-    let (rotation, by_columns) = match &found.made {
-        Made::Rotation(rotation) => (rotation, false),
-        Made::Columns(rotation) => (rotation, true),
-        _ => return None,
-    };
-    Some(RecordRotation {
-        rotation: rotation.clone(),
-        by_columns,
-        label: found.label.clone(),
-        span: found.span,
-        is_derived: found.is_derived || found.is_computed,
-        format: found.format,
-        has_rows: found.has_rows,
-    })
-}
-
-fn beside(found: &Found) -> Option<Beside> {
-    let (what, numbers) = match found.made {
-        Made::Position(numbers) | Made::Centre(numbers) => (What::Position, numbers),
-        Made::Scale(numbers) => (What::Scale, numbers),
-        _ => return None,
-    };
-    Some(Beside {
-        what,
-        label: found.label.clone(),
-        numbers,
-        is_in_world: matches!(found.made, Made::Centre(_)),
     })
 }

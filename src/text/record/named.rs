@@ -18,6 +18,7 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
             value: group.numbers[0],
             span: group.span,
             is_computed: group.is_computed || group.is_of_unknown_call,
+            has_length: group.has_lengths,
             // `roll_deg=10`
             unit: group.unit.or_else(|| {
                 let words = words_of(own_key(group));

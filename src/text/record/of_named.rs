@@ -66,6 +66,10 @@ pub(crate) fn of_named(
             meaning.role,
             Some(Role::Quaternion | Role::RotationVector | Role::AxisAngle | Role::Matrix)
         );
+        // `roll: 0.12 rad/s` is a rate.
+        if matches!(parts, [Part::Euler(_)]) && members.iter().any(|member| member.has_length) {
+            continue;
+        }
         let is_denied = context.letters.is_some() || is_other || has_sequence();
         if matches!(parts, [Part::Euler(_)]) && format.is_none() && is_denied {
             continue;

@@ -1,7 +1,7 @@
 //! Numbers to a rotation and what stands beside it, as a list of parts says.
 
 use crate::convention::angle::{AngleUnit, UnitSource, degrees_in_radians, turn_in_radians};
-use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
+use crate::convention::euler_sequence::{Axis, EulerFrame, EulerSequence};
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::{
@@ -165,15 +165,16 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRota
         (None, Some(letters)) => told_sequence(letters, angles.letters)?,
         (None, None) => angles.sequence.parse().ok()?,
     };
-    let in_order = match angles.places {
-        Places::Listed(places) => places.map(|place| numbers[usize::from(place)]),
+    let places = match angles.places {
+        Places::Listed([one, two, three]) => [one, two, three].map(usize::from),
         Places::ByAxis if sequence.is_proper() => return None,
-        Places::ByAxis => sequence.axes.axes().map(|axis| numbers[axis.index()]),
+        Places::ByAxis => sequence.axes.axes().map(Axis::index),
     };
-    let unit = unit(angles.unit, &in_order, said);
-    let mut angles_rad = in_order.map(|angle| turn(angle, unit.unit()));
-    for (angle, sign) in angles_rad.iter_mut().zip(angles.signs) {
-        *angle *= f64::from(sign);
+    let unit = unit(angles.unit, &numbers, said);
+    let mut angles_rad = [0.0; 3];
+    for (at, angle_rad) in angles_rad.iter_mut().enumerate() {
+        let sign = f64::from(angles.signs[at]);
+        *angle_rad = sign * turn(numbers[places[at]], unit.unit());
     }
     Some(ParsedRotation::EulerAngles(ParsedEulerAngles {
         sequence,
@@ -262,15 +263,15 @@ fn homogeneous(part: Part, numbers: &[f64]) -> Option<Vec<Made>> {
         numbers[at]
     };
     if numbers.len() == 16 {
-        let last = [0, 1, 2, 3].map(|column| entry(3, column));
-        if last[..3].iter().any(|entry| entry.abs() > ROUNDED_ZERO)
-            || (last[3] - 1.0).abs() > ROUNDED_ZERO
-        {
-            return None;
+        for column in 0..4 {
+            let expected = if column == 3 { 1.0 } else { 0.0 };
+            if (entry(3, column) - expected).abs() > ROUNDED_ZERO {
+                return None;
+            }
         }
     }
     let (matrix, scale) = unscaled(Matrix3::from_fn(entry))?;
-    let translation = [0, 1, 2].map(|row| entry(row, 3));
+    let translation = [entry(0, 3), entry(1, 3), entry(2, 3)];
     let rotation = ParsedRotation::Matrix(matrix);
     let mut made = vec![
         if is_columns {

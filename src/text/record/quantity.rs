@@ -79,6 +79,8 @@ pub(crate) struct NamedNumber {
     pub(crate) span: Span,
     pub(crate) is_computed: bool,
     pub(crate) unit: Option<AngleUnit>,
+    /// Whether a unit of something else than an angle stands behind it.
+    pub(crate) has_length: bool,
 }
 
 pub(crate) fn own_key<'t>(group: &Group<'t>) -> &'t str {

@@ -83,22 +83,21 @@ impl<'t> Telling<'t> {
 
 /// The comments of a text, which stand between its tokens.
 fn comments<'t>(text: &'t str, tokens: &[Token<'_>]) -> Vec<Comment<'t>> {
-    let starts = std::iter::once(0).chain(tokens.iter().map(|token| token.span.end));
-    let ends = tokens
-        .iter()
-        .map(|token| token.span.start)
-        .chain([text.len()]);
-    let gaps = starts.zip(ends).filter(|(start, end)| end > start);
-    gaps.flat_map(|(start, end)| {
-        comments_in(&text[start..end])
-            .into_iter()
-            .map(move |span| Span::from(start + span.start..start + span.end))
-    })
-    .map(|span| Comment {
-        text: &text[span.start..span.end],
-        span,
-    })
-    .collect()
+    let mut comments = Vec::new();
+    let mut start = 0;
+    for at in 0..=tokens.len() {
+        let next = tokens.get(at).map(|token| token.span);
+        let end = next.map_or(text.len(), |next| next.start);
+        if end > start {
+            for span in comments_in(&text[start..end]) {
+                let span = Span::from(start + span.start..start + span.end);
+                let text = &text[span.start..span.end];
+                comments.push(Comment { text, span });
+            }
+        }
+        start = next.map_or(end, |next| next.end);
+    }
+    comments
 }
 
 /// Names, units, `<<`, and a minus that touches the number before it, as in `3-2-1`.

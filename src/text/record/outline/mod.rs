@@ -268,6 +268,12 @@ impl<'t> Builder<'t> {
         if member.row != row {
             return false;
         }
+        // `0.12 rad/s` is no angle.
+        if member.unit.is_some() && matches!(token.text, "s" | "sec") {
+            member.unit = None;
+            member.has_length = true;
+            return true;
+        }
         let word = token.text.to_ascii_lowercase();
         let (factor, unit) = match word.as_str() {
             "turn" | "turns" => (360.0, Some(AngleUnit::Degrees)),

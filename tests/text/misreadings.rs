@@ -249,6 +249,49 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         ProblemCode::MixedUnits,
         "rpy (deg) (rad)",
     ),
+    // A number that is missing, rates, what was made of a rotation, a mark for no value.
+    ("0.7,0.1,,-0.5,0.5", ProblemCode::Unexpected, ","),
+    (
+        "roll: 0.12 rad/s, pitch: -0.05 rad/s, yaw: 0.31 rad/s",
+        ProblemCode::UnknownWord,
+        "s",
+    ),
+    (
+        "omega_q = [0, 0.36, 0.48, 0.8]",
+        ProblemCode::OtherQuantity,
+        "omega_q",
+    ),
+    (
+        "log(q) = (0, 0.36, -0.48, 0.8)",
+        ProblemCode::OtherQuantity,
+        "q",
+    ),
+    (
+        "rvecs: [[0.8, -0.6, 0], [0.6, 0.8, 0], [0, 0, 1]]",
+        ProblemCode::OtherQuantity,
+        "rvecs",
+    ),
+    (
+        "waypoint[3]: 0.5 -0.5 0.12 0.7",
+        ProblemCode::Unexpected,
+        ":",
+    ),
+    (
+        "quat: -9999 -9999 -9999 -9999",
+        ProblemCode::FarFromUnit,
+        "quat: -9999 -9999 -9999 -9999",
+    ),
+    // Two orders.
+    (
+        "quat_wxyz: [0.1, -0.5, 0.5, 0.7]  # xyzw",
+        ProblemCode::OtherQuantity,
+        "# xyzw",
+    ),
+    (
+        "# w x y z\n0.1 -0.5 0.5 0.7  # w last",
+        ProblemCode::OtherQuantity,
+        "# w last",
+    ),
     (
         "roll_deg=10 pitch_rad=0.2 yaw_deg=30",
         ProblemCode::MixedUnits,

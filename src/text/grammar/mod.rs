@@ -83,6 +83,10 @@ fn list<'t>(input: &mut Input<'_, 't>) -> Result<Vec<Entry<'t>>, Fault> {
         match token.kind {
             TokenKind::Close(_) => break,
             TokenKind::Comma => {
+                // `0.7,0.1,,-0.5,0.5`: a number is missing.
+                if lead == Lead::AfterComma && token.text == "," {
+                    return Err(unexpected(&token));
+                }
                 input.next_token();
                 if lead == Lead::Bare {
                     lead = Lead::AfterComma;

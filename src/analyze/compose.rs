@@ -23,9 +23,6 @@ use nalgebra::{Quaternion, Vector3};
 /// half a unit in the last place when typed and a few when normalised and multiplied.
 const ROUNDING_OF_DIRECTIONS: f64 = 8.0 * UNIT_ROUNDOFF;
 
-/// p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p, in this order.
-const PRODUCTS: usize = 4;
-
 pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Problem>> {
     let declared = Declared::plain(request.convention, request.matrix);
     let p = Attitude::of_text(&request.p, Field::P, declared);
@@ -34,10 +31,11 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
     let (p, q, vector) = match (p, q, vector) {
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => {
-            return Err([p.err(), q.err(), vector.err()]
-                .into_iter()
-                .flatten()
-                .collect());
+            let mut problems = Vec::new();
+            problems.extend(p.err());
+            problems.extend(q.err());
+            problems.extend(vector.err());
+            return Err(problems);
         }
     };
     let TypedVector { vector, note } = vector;
@@ -90,29 +88,25 @@ fn composition(p: &Attitude, q: &Attitude, vector: Vector3<f64>) -> Composition 
         vector,
         numbers: Numbers::of(p, q),
     };
-    let mut products: Vec<Product> = [Convention::HAMILTON, Convention::JPL]
-        .into_iter()
-        .flat_map(|preset| {
-            [(Operand::P, Operand::Q), (Operand::Q, Operand::P)]
-                .map(|(left, right)| pair.product(preset, left, right))
-        })
-        .collect();
+    // p ⊙ q, q ⊙ p, p ⊗ q, q ⊗ p, in this order.
+    let mut products = Vec::new();
+    for preset in [Convention::HAMILTON, Convention::JPL] {
+        products.push(pair.product(preset, Operand::P, Operand::Q));
+        products.push(pair.product(preset, Operand::Q, Operand::P));
+    }
     let mut declared = pair.product(p.tagged.convention, Operand::P, Operand::Q);
     // Two products have the same numbers where the signs of their conventions agree and they are the
     // same attitude: p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4), the others only where
     // p and q commute.
     let kinds: Vec<_> = products.iter().map(kind).collect();
-    let equal_to = |(sign, first): (ComponentSign, Operand)| -> Vec<usize> {
-        (0..PRODUCTS)
-            .filter(|&other| {
-                let (other_sign, other_first) = kinds[other];
-                let same_attitude = other_first == first || order_matters == OrderMatters::No;
-                other_sign == sign && same_attitude
-            })
-            .collect()
-    };
     for product in products.iter_mut().chain([&mut declared]) {
-        product.equal_to = equal_to(kind(product));
+        let (sign, first) = kind(product);
+        for (other, (other_sign, other_first)) in kinds.iter().enumerate() {
+            let same_attitude = *other_first == first || order_matters == OrderMatters::No;
+            if *other_sign == sign && same_attitude {
+                product.equal_to.push(other);
+            }
+        }
     }
     Composition {
         declared,

@@ -16,10 +16,10 @@ pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     let (attitude, vector) = match (attitude, vector) {
         (Ok(attitude), Ok(vector)) => (attitude, vector),
         (attitude, vector) => {
-            return Err([attitude.err(), vector.err()]
-                .into_iter()
-                .flatten()
-                .collect());
+            let mut problems = Vec::new();
+            problems.extend(attitude.err());
+            problems.extend(vector.err());
+            return Err(problems);
         }
     };
 

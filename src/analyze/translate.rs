@@ -35,8 +35,12 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     let (from, to) = match ends {
         (Ok(from), Ok(to)) => (from, to),
         (from, to) => {
-            let found = [from.err(), to.err(), world.err(), body.err()];
-            return Err(found.into_iter().flatten().collect());
+            let mut problems = Vec::new();
+            problems.extend(from.err());
+            problems.extend(to.err());
+            problems.extend(world.err());
+            problems.extend(body.err());
+            return Err(problems);
         }
     };
     let text = &*request.quaternion;
@@ -45,8 +49,11 @@ pub(crate) fn translate(request: &TranslateRequest) -> Result<TranslateReport, V
     let (attitude, world, body) = match (attitude, world, body) {
         (Ok(attitude), Ok(world), Ok(body)) => (attitude, world, body),
         (attitude, world, body) => {
-            let found = [attitude.err(), world.err(), body.err()];
-            return Err(found.into_iter().flatten().collect());
+            let mut problems = Vec::new();
+            problems.extend(attitude.err());
+            problems.extend(world.err());
+            problems.extend(body.err());
+            return Err(problems);
         }
     };
     let change = AxesChange { world, body };

@@ -58,16 +58,18 @@ const MOST_ROUNDINGS: f64 = 4.0;
 
 /// What can be said of a library, whatever was entered.
 pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
-    let read: Vec<Read> = request
-        .observations
-        .iter()
-        .map(|probe| Read::of(probe, request.language))
-        .collect();
-    let told: Vec<(usize, &Agreeing)> = read
-        .iter()
-        .enumerate()
-        .filter_map(|(at, read)| Some((at, read.agreeing.as_ref()?)))
-        .collect();
+    let mut read = Vec::new();
+    let mut codes = Vec::new();
+    for probe in &request.observations {
+        read.push(Read::of(probe, request.language));
+        codes.push(code(probe, request.language));
+    }
+    let mut told: Vec<(usize, &Agreeing)> = Vec::new();
+    for (at, read) in read.iter().enumerate() {
+        if let Some(agreeing) = &read.agreeing {
+            told.push((at, agreeing));
+        }
+    }
     let possible = agreeing(&told);
     let left = remaining(&possible);
     // A kind that was told already is asked again only where no other can tell more, and the very same
@@ -86,11 +88,7 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
     });
     IdentifyReport {
         next,
-        codes: request
-            .observations
-            .iter()
-            .map(|probe| code(probe, request.language))
-            .collect(),
+        codes,
         possible: possible.len(),
         settled: left.settled(),
         labels: labels(&left.direction),
@@ -108,9 +106,7 @@ struct Agreeing(Vec<bool>);
 
 impl Agreeing {
     fn behaviours(&self) -> Vec<Behaviour> {
-        let all = Behaviour::all().zip(&self.0);
-        all.filter_map(|(behaviour, &agrees)| agrees.then_some(behaviour))
-            .collect()
+        agreeing(&[(0, self)])
     }
 }
 
@@ -181,11 +177,13 @@ impl Read {
 
 /// The behaviours that agree with all of these.
 fn agreeing(told: &[(usize, &Agreeing)]) -> Vec<Behaviour> {
-    Behaviour::all()
-        .enumerate()
-        .filter(|(at, _)| told.iter().all(|(_, Agreeing(agrees))| agrees[*at]))
-        .map(|(_, behaviour)| behaviour)
-        .collect()
+    let mut left = Vec::new();
+    for (at, behaviour) in Behaviour::all().enumerate() {
+        if told.iter().all(|(_, Agreeing(agrees))| agrees[at]) {
+            left.push(behaviour);
+        }
+    }
+    left
 }
 
 /// Observations that do not agree: a pair if there is one, or else a set of which none can be spared.
@@ -279,46 +277,42 @@ fn one_choice_apart(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
 
 /// What no numbers tell apart: each direction of the call that rotates has two names.
 fn labels(directions: &[Direction]) -> Vec<Labels> {
-    directions
-        .iter()
-        .flat_map(|&direction| {
-            [
-                Labels {
-                    function: Function::Passive,
-                    direction,
-                },
-                Labels {
-                    function: Function::Active,
-                    direction: direction.reversed(),
-                },
-            ]
-        })
-        .collect()
+    let mut labels = Vec::new();
+    for &direction in directions {
+        labels.push(Labels {
+            function: Function::Passive,
+            direction,
+        });
+        labels.push(Labels {
+            function: Function::Active,
+            direction: direction.reversed(),
+        });
+    }
+    labels
 }
 
 /// The records of libraries that agree, those that say most first. Formats and devices have no calls, and
 /// what has no quaternion agrees with everything.
 fn matches(possible: &[Behaviour]) -> Vec<LibraryMatch> {
-    let found: Vec<LibraryMatch> = essentials()
-        .iter()
-        .filter(|library| library.kind.is_none() && library.numbers.is_none())
-        .filter(|library| {
-            possible
-                .iter()
-                .any(|behaviour| behaviour.agrees_with(library))
-        })
-        .map(|library| LibraryMatch {
-            id: library.id.to_owned(),
-            unestablished: library.unestablished(),
-        })
-        .collect();
-    // Few may be missing, and a sort would add 2 kB to the wasm.
-    let with = |missing| {
-        let found = found.iter();
-        found.filter(move |library| library.unestablished.len() == missing)
-    };
-    let most = BehaviourAxis::ALL.len();
-    (0..=most).flat_map(with).cloned().collect()
+    let mut found: Vec<LibraryMatch> = Vec::new();
+    for library in essentials() {
+        let has_calls = library.kind.is_none() && library.numbers.is_none();
+        let agrees = |behaviour: &Behaviour| behaviour.agrees_with(library);
+        if has_calls && possible.iter().any(agrees) {
+            let unestablished = library.unestablished();
+            // A sort would add 2 kB to the wasm.
+            let says_more = |other: &LibraryMatch| other.unestablished.len() <= unestablished.len();
+            let place = found.partition_point(says_more);
+            found.insert(
+                place,
+                LibraryMatch {
+                    id: library.id.to_owned(),
+                    unestablished,
+                },
+            );
+        }
+    }
+    found
 }
 
 /// The probes that may be proposed; of equally good ones the first is.

@@ -49,8 +49,10 @@ pub(crate) fn numbers(request: &NumbersRequest) -> Result<NumbersReport, Vec<Pro
     let (printed, attitude) = match (printed, attitude) {
         (Ok(printed), Ok(attitude)) => (printed, attitude),
         (printed, attitude) => {
-            let problems = [printed.err(), attitude.err()];
-            return Err(problems.into_iter().flatten().collect());
+            let mut problems = Vec::new();
+            problems.extend(printed.err());
+            problems.extend(attitude.err());
+            return Err(problems);
         }
     };
     let judged = |candidates: &[Candidate]| {

@@ -39,10 +39,11 @@ pub(crate) fn members<'t>(entries: &[Entry<'t>]) -> Result<Vec<Entry<'t>>, Fault
 
 pub(crate) fn values(entries: &[Entry<'_>]) -> Result<Vec<(Linear, Span)>, Fault> {
     check_no_factor(entries)?;
-    entries
-        .iter()
-        .map(|entry| Ok((entry.node.value()?, entry.node.span)))
-        .collect()
+    let mut values = Vec::new();
+    for entry in entries {
+        values.push((entry.node.value()?, entry.node.span));
+    }
+    Ok(values)
 }
 
 /// The only number there is; a problem where it has a name, or is none, or one of several.

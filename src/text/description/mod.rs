@@ -207,13 +207,13 @@ pub(crate) fn three(entries: &[Entry<'_>], span: Span, what: &str) -> Result<[An
     let entries = members(entries)?;
     check_no_factor(&entries)?;
     check_separators(&entries, span)?;
-    let angles: Vec<Angle> = entries
-        .iter()
-        .map(|entry| match entry.key {
-            Some(key) => Err(Fault::unknown_argument(key.span, key.name)),
-            None => Ok((entry.node.angle()?, entry.node.span)),
-        })
-        .collect::<Result<_, _>>()?;
+    let mut angles: Vec<Angle> = Vec::new();
+    for entry in entries.iter() {
+        if let Some(key) = entry.key {
+            return Err(Fault::unknown_argument(key.span, key.name));
+        }
+        angles.push((entry.node.angle()?, entry.node.span));
+    }
     angles
         .try_into()
         .map_err(|found: Vec<Angle>| Fault::count_of_angles(span, found.len(), what))

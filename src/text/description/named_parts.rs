@@ -52,28 +52,28 @@ impl Part {
 
 /// The parts whose names a text begins with.
 pub(crate) fn named_parts<'s, 't>(tokens: &'s [Token<'t>]) -> Option<Vec<SpokenPart<'s, 't>>> {
-    let found: Vec<_> = at_depth_zero(tokens)
-        .filter_map(|at| Some((at, Part::named(&tokens[at])?)))
-        .collect();
-    let [(first, ..), later @ ..] = &found[..] else {
-        return None;
-    };
-    // A type may stand before the first name, as in `double roll = 0.1`.
-    if *first > 1 || (*first == 1 && !is_name(&tokens[0])) {
-        return None;
+    let mut parts: Vec<SpokenPart<'s, 't>> = Vec::new();
+    // Where what belongs to the last name begins.
+    let mut start = 0;
+    for at in at_depth_zero(tokens) {
+        let Some((part, unit)) = Part::named(&tokens[at]) else {
+            continue;
+        };
+        match parts.last_mut() {
+            Some(last) => last.tokens = &tokens[start..at],
+            // A type may stand before the first name, as in `double roll = 0.1`.
+            None if at > 1 || (at == 1 && !is_name(&tokens[0])) => return None,
+            None => {}
+        }
+        start = at + 1 + usize::from(is_mark(tokens.get(at + 1)));
+        parts.push(SpokenPart {
+            part,
+            unit,
+            label: tokens[at].span,
+            tokens: &tokens[start..],
+        });
     }
-    let ends = later.iter().map(|&(at, ..)| at);
-    let parts = found.iter().zip(ends.chain([tokens.len()]));
-    Some(
-        parts
-            .map(|(&(at, (part, unit)), end)| SpokenPart {
-                part,
-                unit,
-                label: tokens[at].span,
-                tokens: &tokens[at + 1 + usize::from(is_mark(tokens.get(at + 1)))..end],
-            })
-            .collect(),
-    )
+    (!parts.is_empty()).then_some(parts)
 }
 
 /// Whether a token names a roll, pitch or yaw.

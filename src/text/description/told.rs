@@ -352,14 +352,18 @@ pub(crate) enum Layout {
 
 /// The marks of the labels among tokens, and where the names stand that are before each.
 fn labels(tokens: &[Token<'_>]) -> Vec<(usize, Span)> {
-    let marks = (0..tokens.len()).filter(|&at| is_mark(tokens.get(at)));
-    marks
-        .filter_map(|at| {
-            let names = tokens[..at].iter().rev().take_while(|token| is_name(token));
-            let [first, .., last] = [names.clone().last()?, names.clone().next()?];
-            Some((at, first.span.to(last.span)))
-        })
-        .collect()
+    let mut labels = Vec::new();
+    // Where the names begin that stand before the next token.
+    let mut start = 0;
+    for (at, token) in tokens.iter().enumerate() {
+        if is_mark(Some(token)) && start < at {
+            labels.push((at, tokens[start].span.to(tokens[at - 1].span)));
+        }
+        if !is_name(token) {
+            start = at + 1;
+        }
+    }
+    labels
 }
 
 /// Whether what follows a mark is one number.

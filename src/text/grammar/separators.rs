@@ -154,8 +154,14 @@ impl Group {
 /// The problem of four whole numbers that may be two with decimal commas, as in `0,7,0,7`: commas without any
 /// space, one of them behind a zero, and not of norm 1.
 fn decimal_pairs(tokens: &[Token<'_>]) -> Option<Fault> {
-    let items = tokens.split(|token| token.kind == TokenKind::Comma);
-    let numbers: Vec<f64> = items.take(5).map(whole_number).collect::<Option<_>>()?;
+    let mut numbers = Vec::new();
+    for item in tokens.split(|token| token.kind == TokenKind::Comma) {
+        // More than four are no pairs.
+        if numbers.len() == 5 {
+            return None;
+        }
+        numbers.push(whole_number(item)?);
+    }
     let [whole, part, other_whole, other_part] = numbers[..] else {
         return None;
     };

@@ -32,16 +32,14 @@ pub(crate) fn of_norm(
     parsed: &ParsedQuaternion,
     read: &dyn Fn(&str) -> Option<ParsedRotation>,
 ) -> Vec<Suggestion> {
-    let of_quaternion = as_quaternion(text, parsed, read);
-    let others = others(parsed).into_iter();
-    let others = others.filter(|Candidate { suggestion, unit }| {
-        let is_in_unit = |read: ParsedRotation| read.unit() == Some(UnitSource::Written(*unit));
-        read(&suggestion.text).is_some_and(is_in_unit)
-    });
-    of_quaternion
-        .into_iter()
-        .chain(others.map(|candidate| candidate.suggestion))
-        .collect()
+    let mut found = Vec::from_iter(as_quaternion(text, parsed, read));
+    for Candidate { suggestion, unit } in others(parsed) {
+        let is_in_unit = |read: ParsedRotation| read.unit() == Some(UnitSource::Written(unit));
+        if read(&suggestion.text).is_some_and(is_in_unit) {
+            found.push(suggestion);
+        }
+    }
+    found
 }
 
 /// The text that says that it is the quaternion as which it was read.
@@ -56,16 +54,24 @@ fn as_quaternion(
         ..parsed.clone()
     };
     let numbers = exact_list(&in_order(parsed));
-    let texts = saying_quaternion(text).into_iter();
-    texts
-        .chain([format!("quaternion {numbers}")])
-        .find(|text| read(text) == Some(ParsedRotation::Quaternion(announced.clone())))
-        .map(|text| Suggestion::new(Remedy::AsQuaternion, text))
+    let announced = Some(ParsedRotation::Quaternion(announced));
+    let [one, two, three] = saying_quaternion(text);
+    for text in [one, two, three, format!("quaternion {numbers}")] {
+        if read(&text) == announced {
+            return Some(Suggestion::new(Remedy::AsQuaternion, text));
+        }
+    }
+    None
 }
 
 /// The ways to say so before a text; before a bracket the word alone would be a call.
 fn saying_quaternion(text: &str) -> [String; 3] {
-    ["quaternion ", "quaternion: ", "q = "].map(|word| format!("{word}{text}"))
+    let saying = |word: &str| [word, text].concat();
+    [
+        saying("quaternion "),
+        saying("quaternion: "),
+        saying("q = "),
+    ]
 }
 
 /// The texts that say which of two things the numbers are, where `marked` may be a sequence of Euler
@@ -91,12 +97,17 @@ pub(crate) fn of_two(
     } else {
         Suggestion::new(Remedy::AsAxisAngle, format!("axis-angle {text}"))
     };
-    let of_quaternion =
-        saying_quaternion(text).map(|text| Suggestion::new(Remedy::AsQuaternion, text));
-    let mut is_read = |suggestion: &Suggestion| read(&suggestion.text).is_ok();
-    let of_quaternion = of_quaternion.into_iter().find(&mut is_read);
-    let other = Some(other).filter(&mut is_read);
-    other.into_iter().chain(of_quaternion).collect()
+    let mut found = Vec::new();
+    if read(&other.text).is_ok() {
+        found.push(other);
+    }
+    for text in saying_quaternion(text) {
+        if read(&text).is_ok() {
+            found.push(Suggestion::new(Remedy::AsQuaternion, text));
+            break;
+        }
+    }
+    found
 }
 
 /// A text to try, and the unit that it has to be read in.

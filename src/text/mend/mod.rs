@@ -98,15 +98,18 @@ fn mended(
     };
     let candidates = rewrite(fault, text);
     let goes_on = steps > 1 && candidates.len() <= MOST_TEXTS_OF_A_STEP;
-    let mut found = candidates
-        .into_iter()
-        .filter_map(|candidate| match read(&candidate) {
+    let mut only = None;
+    for candidate in candidates {
+        let found = match read(&candidate) {
             Ok(()) => Some(candidate),
             Err(next) if goes_on && is_mended_so(&next) => {
                 mended(&next, &candidate, rewrite, read, steps - 1)
             }
             Err(_) => None,
-        });
-    let only = found.next()?;
-    found.next().is_none().then_some(only)
+        };
+        if found.is_some() && std::mem::replace(&mut only, found).is_some() {
+            return None;
+        }
+    }
+    only
 }

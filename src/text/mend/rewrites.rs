@@ -121,17 +121,22 @@ fn plain_characters(_: &Fault, text: &str) -> Vec<String> {
 /// For each such character between two digits whether it can part thousands: it stands before just
 /// three digits, and behind one to three that do not begin with a zero, unless a point does.
 fn groups_digits(text: &str, is_mark: fn(char) -> bool) -> Vec<bool> {
-    let marks = text.char_indices().filter(|&(_, mark)| is_mark(mark));
-    let between_digits = marks.filter_map(|(at, mark)| {
+    let mut groups = Vec::new();
+    for (at, mark) in text.char_indices() {
+        if !is_mark(mark) {
+            continue;
+        }
         let (before, after) = (&text[..at], &text[at + mark.len_utf8()..]);
         let rest = before.trim_end_matches(|digit: char| digit.is_ascii_digit());
         let group = &before[rest.len()..];
         let follow = after.bytes().take_while(u8::is_ascii_digit).count();
         let is_group = rest.ends_with('.') || !group.starts_with('0');
         let parts = is_group && group.len() <= 3 && follow == 3;
-        (!group.is_empty() && follow > 0).then_some(parts)
-    });
-    between_digits.collect()
+        if !group.is_empty() && follow > 0 {
+            groups.push(parts);
+        }
+    }
+    groups
 }
 
 /// Only a mark that decorates: what may be an operator, a dash or a number that is left out tells
@@ -282,16 +287,18 @@ fn added_zeros(_: &Fault, text: &str) -> Vec<String> {
         (false, false) => (": ", ", "),
     };
     let quote = if inside.contains('"') { "\"" } else { "" };
-    MISSING
-        .iter()
-        .map(|names| {
-            let zeros: String = names
-                .iter()
-                .map(|name| format!("{separator}{quote}{name}{quote}{mark}0"))
-                .collect();
-            format!("{inside}{zeros}{brackets}")
-        })
-        .collect()
+    let mut texts = Vec::new();
+    for names in MISSING {
+        let mut text = inside.to_owned();
+        for name in names {
+            for part in [separator, quote, name, quote, mark, "0"] {
+                text.push_str(part);
+            }
+        }
+        text.push_str(brackets);
+        texts.push(text);
+    }
+    texts
 }
 
 fn named_number(fault: &Fault, text: &str) -> Vec<String> {
@@ -299,20 +306,22 @@ fn named_number(fault: &Fault, text: &str) -> Vec<String> {
         return Vec::new();
     };
     let mark = if text.contains('=') { "=" } else { ": " };
-    ["w", "x", "y", "z"]
-        .into_iter()
-        .flat_map(|name| at_place(fault, text, &format!("{name}{mark}{number}")))
-        .collect()
+    let mut texts = Vec::new();
+    for name in ["w", "x", "y", "z"] {
+        texts.extend(at_place(fault, text, &[name, mark, number].concat()));
+    }
+    texts
 }
 
 fn same_unit(fault: &Fault, text: &str) -> Vec<String> {
     let Some(angle) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
-    ["deg", "rad"]
-        .into_iter()
-        .flat_map(|unit| at_place(fault, text, &format!("{angle}{unit}")))
-        .collect()
+    let mut texts = Vec::new();
+    for unit in ["deg", "rad"] {
+        texts.extend(at_place(fault, text, &[angle, unit].concat()));
+    }
+    texts
 }
 
 fn zero_at_place(fault: &Fault, text: &str) -> Vec<String> {

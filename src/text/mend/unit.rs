@@ -72,9 +72,10 @@ pub(crate) fn inside_functions(text: &str, is_read: &dyn Fn(&str) -> bool) -> Op
         return None;
     }
     let tokens = Telling::of(text).ok()?.tokens;
-    let bare: Vec<Argument> = (0..tokens.len())
-        .filter_map(|at| bare_argument(&tokens[at..]))
-        .collect();
+    let mut bare: Vec<Argument> = Vec::new();
+    for at in 0..tokens.len() {
+        bare.extend(bare_argument(&tokens[at..]));
+    }
     if bare.iter().all(|argument| argument.size <= FULL_TURN_RAD) {
         return None;
     }

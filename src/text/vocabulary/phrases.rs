@@ -99,8 +99,10 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
     if let Some(phrase) = euler_label(tokens) {
         return Some(phrase);
     }
-    (1..=MOST_WORDS).rev().find_map(|count| {
-        let (words, length) = joined(tokens, count)?;
+    for count in (1..=MOST_WORDS).rev() {
+        let Some((words, length)) = joined(tokens, count) else {
+            continue;
+        };
         let (words, unit) = without_unit(&words);
         let said = match Said::of(words) {
             None if is_mark(tokens.get(length)) => {
@@ -112,14 +114,17 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
                 Said::of_label(words).filter(|_| !cfg!(feature = "whole") || is_rotation())
             }
             said => said,
-        }?;
-        Some(Phrase {
-            said,
-            sequence: None,
-            unit,
-            length,
-        })
-    })
+        };
+        if let Some(said) = said {
+            return Some(Phrase {
+                said,
+                sequence: None,
+                unit,
+                length,
+            });
+        }
+    }
+    None
 }
 
 /// `euler_zyx`, `euler_angles_ZYX_deg`

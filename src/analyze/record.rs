@@ -34,6 +34,9 @@ pub(crate) fn of_record(
         library: declared.library.map(|library| library.id),
     };
     let record = record_of(text, of_text, FORMATS, PLAIN);
+    if let Some(place) = record.unknown_orientation {
+        return Some(Err(Fault::unknown_orientation(place)));
+    }
     match plain {
         Ok(plain) => beside_plain(text, declared, &record, plain),
         Err(fault) if may_hold_more(text, &record, fault) => of_block(text, declared, &record),

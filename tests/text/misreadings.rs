@@ -281,6 +281,17 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         ProblemCode::FarFromUnit,
         "quat: -9999 -9999 -9999 -9999",
     ),
+    // What says itself that nothing was measured.
+    (
+        r#"{"isTracked": false, "rotation": [0, 0, 0, 1]}"#,
+        ProblemCode::OtherQuantity,
+        "false",
+    ),
+    (
+        "orientation:\n  x: 0.0\n  y: 0.0\n  z: 0.0\n  w: 1.0\norientation_covariance: [-1.0, 0.0, 0.0]",
+        ProblemCode::OtherQuantity,
+        "[-1.0, 0.0, 0.0",
+    ),
     // Two orders.
     (
         "quat_wxyz: [0.1, -0.5, 0.5, 0.7]  # xyzw",

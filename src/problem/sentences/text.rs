@@ -147,6 +147,17 @@ impl Fault {
     }
 
     #[cfg(feature = "whole")]
+    pub(crate) fn unknown_orientation(span: Span) -> Self {
+        Self::new(
+            ProblemCode::OtherQuantity,
+            span,
+            "the text says that the orientation is not known: the numbers only fill its place",
+            "the numbers of a rotation that was measured",
+            "remove this if the numbers are meant all the same",
+        )
+    }
+
+    #[cfg(feature = "whole")]
     pub(crate) fn several_rows(span: Span, count: usize) -> Self {
         Self::told(ProblemCode::SeveralRotations, span, || {
             Words::new(

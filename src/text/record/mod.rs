@@ -74,7 +74,9 @@ use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
 use crate::text::record::scan::{Token, scan};
-use crate::text::record::settings::{Settings, has_duplicate, is_balanced, is_plain};
+use crate::text::record::settings::{
+    Settings, has_duplicate, is_balanced, is_plain, unknown_orientation,
+};
 use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
 
@@ -122,6 +124,8 @@ pub(crate) struct Record {
     pub(crate) rows: Vec<Span>,
     /// The names above them.
     pub(crate) head: Option<Span>,
+    /// Where the text says that the orientation is not known.
+    pub(crate) unknown_orientation: Option<Span>,
 }
 
 /// How many rotations of a text are looked at; which of so many is meant has to be asked in any case.
@@ -223,6 +227,7 @@ pub(crate) fn record_of(
         quantities: quantities.groups.len() + quantities.named.len(),
         rows,
         head,
+        unknown_orientation: unknown_orientation(&quantities),
     };
     for found in all {
         record.take(found, is_doubtful);

@@ -3,6 +3,7 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
+use crate::problem::Span;
 use crate::text::record::found::Context;
 use crate::text::record::group::Quantities;
 use crate::text::record::names::words_of;
@@ -105,6 +106,32 @@ impl Settings {
             self.letters = is_sequence.then(|| value.text.to_owned());
         }
     }
+}
+
+/// Where a text says that the orientation beside it is not known: `"isTracked": false`, and a covariance that
+/// begins with −1 (`sensor_msgs/Imu`, REP 145).
+pub(crate) fn unknown_orientation(quantities: &Quantities<'_>) -> Option<Span> {
+    let ends_with = |key: &str, words: &[&str]| {
+        let known = words_of(key);
+        known
+            .iter()
+            .rev()
+            .zip(words)
+            .all(|(word, known)| word == known)
+            && known.len() >= words.len()
+    };
+    for value in &quantities.values {
+        if ends_with(value.key, &["tracked"]) && value.text.eq_ignore_ascii_case("false") {
+            return Some(value.span);
+        }
+    }
+    for group in &quantities.groups {
+        let key = group.path.last().copied().unwrap_or("");
+        if group.numbers.first() == Some(&-1.0) && ends_with(key, &["covariance", "orientation"]) {
+            return Some(group.span);
+        }
+    }
+    None
 }
 
 /// Whether a line holds one quantity, under no name or a word that announces a description: what the grammar

@@ -66,8 +66,8 @@ function texts() {
     others.push(...filesOf(folder, ".ts"));
   }
   for (const path of others) for (const text of quotedIn(path)) add(text);
-  for (const name of ["copied", "addresses"]) {
-    for (const text of stringsOf(JSON.parse(read(`tests/vectors/${name}.json`)))) add(text);
+  for (const name of ["vectors/copied", "vectors/addresses", "cases/printed", "cases/lookalikes"]) {
+    for (const text of stringsOf(JSON.parse(read(`tests/${name}.json`)))) add(text);
   }
   return found;
 }

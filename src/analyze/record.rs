@@ -109,6 +109,8 @@ fn read_all<'r>(
     let mut fault = None;
     let is_meant = |found: &&RecordRotation| !found.is_derived && !is_another_quantity(found);
     for found in record.rotations.iter().filter(is_meant) {
+        // Its own piece of the text, which may be one of many, and long.
+        let own = &text[found.span.start..found.span.end];
         let parsed = RotationText {
             rotation: as_declared(found, declared),
             row_marks: match (found.by_columns, found.has_rows) {
@@ -116,11 +118,11 @@ fn read_all<'r>(
                 (false, true) => RowMarks::Lines,
                 (false, false) => RowMarks::None,
             },
-            told: Told::of_label(&found.label, found.span),
+            told: Told::of_label(&found.label, Span::of_trimmed(own)),
         };
-        match Attitude::of_parsed(parsed, text, declared) {
+        match Attitude::of_parsed(parsed, own, declared) {
             Ok(attitude) => read.push((found, attitude)),
-            Err(problem) => fault = fault.or(Some(problem)),
+            Err(problem) => fault = fault.or(Some(problem.behind(found.span.start))),
         }
     }
     (read, fault)

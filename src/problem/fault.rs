@@ -57,6 +57,13 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
+    /// That of a piece which begins at this byte of the text.
+    #[cfg(feature = "whole")]
+    pub(crate) fn behind(self, start: usize) -> Self {
+        let span = Span::from(start + self.span.start..start + self.span.end);
+        Self { span, ..self }
+    }
+
     /// Of sentences that are always the same.
     pub(crate) fn new(
         code: ProblemCode,

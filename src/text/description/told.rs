@@ -82,7 +82,7 @@ impl<'t> Told<'t> {
         for comment in comments {
             let refused =
                 |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
-            let words: Vec<&str> = words_of(comment.text).collect();
+            let words = words_of(comment.text);
             letters.extend(words.iter().filter(|word| is_component(word)).copied());
             for (at, word) in words.iter().enumerate() {
                 // `# 90 deg` says what this angle is.

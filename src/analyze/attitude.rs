@@ -34,11 +34,19 @@ pub(crate) struct Declared {
     pub(crate) convention: Convention,
     pub(crate) matrix: MatrixConvention,
     /// The library that printed the text, where one is declared.
+    #[cfg_attr(
+        not(feature = "whole"),
+        expect(dead_code, reason = "only records of the whole core ask for it")
+    )]
     pub(crate) library: Option<DeclaredLibrary>,
 }
 
 /// What a declared library says of the text that it printed.
 #[derive(Clone, Copy)]
+#[cfg_attr(
+    not(feature = "whole"),
+    expect(dead_code, reason = "only records of the whole core ask for it")
+)]
 pub(crate) struct DeclaredLibrary {
     pub(crate) id: &'static str,
     /// Which vectors its matrices multiply.

@@ -117,9 +117,6 @@
 // Members to a description of a rotation.
 pub(crate) mod description;
 
-// Texts that are decimal numbers.
-mod decimal_text;
-
 // Tokens, and the tree that they make.
 pub(crate) mod grammar;
 
@@ -143,7 +140,6 @@ mod vocabulary;
 use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
-pub(crate) use crate::text::decimal_text::is_decimal;
 pub use crate::text::description::ParsedRotation;
 pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
@@ -157,6 +153,7 @@ use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
+pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::labels::says_nothing;
 use nalgebra::Vector3;

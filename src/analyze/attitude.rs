@@ -36,7 +36,7 @@ pub(crate) struct Declared {
     /// The library that printed the text, where one is declared.
     #[cfg_attr(
         not(feature = "whole"),
-        expect(dead_code, reason = "only blocks of text ask for it")
+        expect(dead_code, reason = "only records of the whole core ask for it")
     )]
     pub(crate) library: Option<DeclaredLibrary>,
 }
@@ -45,7 +45,7 @@ pub(crate) struct Declared {
 #[derive(Clone, Copy)]
 #[cfg_attr(
     not(feature = "whole"),
-    expect(dead_code, reason = "only blocks of text ask for it")
+    expect(dead_code, reason = "only records of the whole core ask for it")
 )]
 pub(crate) struct DeclaredLibrary {
     pub(crate) id: &'static str,

@@ -64,12 +64,17 @@ impl Attitude {
             facts.push(Fact::NegativeScalar);
         }
         facts.extend(self.extreme_fact());
-        facts.extend(self.told.iter().cloned());
-        let notes = facts.into_iter().map(|fact| match fact {
-            Fact::FarFromUnit(_) => Note::new(field, fact).suggesting(|| self.meanings.to_vec()),
-            _ => Note::new(field, fact),
-        });
-        notes.collect()
+        facts.extend_from_slice(&self.told);
+        let mut notes = Vec::new();
+        for fact in facts {
+            notes.push(match fact {
+                Fact::FarFromUnit(_) => {
+                    Note::new(field, fact).suggesting(|| self.meanings.to_vec())
+                }
+                _ => Note::new(field, fact),
+            });
+        }
+        notes
     }
 
     /// Of angles more than half a turn has one; where it is only rounding that is half a turn.

@@ -339,7 +339,7 @@ fn mistakes(
     };
     // Its own inverse: the mistake that undoes a needed conjugation is the one that adds another.
     let conjugated = right.conjugate();
-    let made = match change_between(from, to) {
+    let mut made = match change_between(from, to) {
         Change::Copied => vec![(MistakeKind::ConjugatedNeedlessly, conjugated)],
         Change::Reordered => vec![
             (MistakeKind::NotReordered, not_reordered(right)),
@@ -352,16 +352,15 @@ fn mistakes(
             (MistakeKind::NotReordered, not_reordered(right)),
         ],
     };
-    made.into_iter()
-        .chain(passed_on)
-        .filter_map(|(kind, wrong)| {
-            let wrong = Rotation::from_tagged(&wrong).ok()?;
-            Some(Mistake {
-                kind,
-                angle_deg: angle_deg(rotation, &wrong),
-            })
-        })
-        .collect()
+    made.extend(passed_on);
+    let mut mistakes = Vec::new();
+    for (kind, wrong) in made {
+        if let Ok(wrong) = Rotation::from_tagged(&wrong) {
+            let angle_deg = angle_deg(rotation, &wrong);
+            mistakes.push(Mistake { kind, angle_deg });
+        }
+    }
+    mistakes
 }
 
 fn angle_deg(right: &Rotation, wrong: &Rotation) -> f64 {
@@ -399,10 +398,15 @@ fn pasted(text: &str) -> Option<&'static Essentials> {
     }
     let compact = |text: &str| text.split_whitespace().collect::<String>();
     let text = compact(text);
-    essentials()
-        .iter()
-        .flat_map(|library| library.pasted.iter().map(move |part| (library, part)))
-        .filter_map(|(library, part)| Some((text.find(&compact(part))?, library)))
-        .min_by_key(|(at, _)| *at)
-        .map(|(_, library)| library)
+    let mut first: Option<(usize, &Essentials)> = None;
+    for library in essentials() {
+        for part in library.pasted {
+            if let Some(at) = text.find(&compact(part))
+                && first.is_none_or(|(least, _)| at < least)
+            {
+                first = Some((at, library));
+            }
+        }
+    }
+    first.map(|(_, library)| library)
 }

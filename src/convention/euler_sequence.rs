@@ -263,26 +263,31 @@ impl FromStr for EulerSequence {
         let unknown = || UnknownSequence {
             name: text.to_owned(),
         };
-        let marks: Vec<char> = text.trim().chars().filter(|mark| *mark != '-').collect();
-        let letters: String = marks
-            .iter()
-            .map(|mark| match mark {
+        let mut letters = String::new();
+        let (mut has_small, mut has_others) = (false, false);
+        for mark in text.trim().chars().filter(|mark| *mark != '-') {
+            if mark.is_ascii_lowercase() {
+                has_small = true;
+            } else {
+                has_others = true;
+            }
+            letters.push(match mark {
                 '1' => 'X',
                 '2' => 'Y',
                 '3' => 'Z',
                 letter => letter.to_ascii_uppercase(),
-            })
-            .collect();
-        let axes = EulerAxes::ALL
-            .into_iter()
-            .find(|axes| axes.name() == letters)
-            .ok_or_else(unknown)?;
-        let is_small = |mark: &char| mark.is_ascii_lowercase();
-        let frame = match (marks.iter().all(is_small), marks.iter().any(is_small)) {
-            (true, _) => EulerFrame::Extrinsic,
-            (false, false) => EulerFrame::Intrinsic,
-            (false, true) => return Err(unknown()),
+            });
+        }
+        let frame = match (has_small, has_others) {
+            (true, false) => EulerFrame::Extrinsic,
+            (false, _) => EulerFrame::Intrinsic,
+            (true, true) => return Err(unknown()),
         };
-        Ok(Self { axes, frame })
+        for axes in EulerAxes::ALL {
+            if axes.name() == letters {
+                return Ok(Self { axes, frame });
+            }
+        }
+        Err(unknown())
     }
 }

@@ -1,7 +1,7 @@
 //! Rotation to and from Euler angles, in all 24 sequences and at any distance from gimbal lock.
 
 use crate::convention::angle::{AngleUnit, half_angle_sincos};
-use crate::convention::euler_sequence::{Axis, EulerFrame, EulerSequence};
+use crate::convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence};
 use crate::rotation::precise::Norm;
 use crate::rotation::{NoRotation, Rotation};
 use nalgebra::Quaternion;
@@ -185,17 +185,22 @@ impl Rotation {
     #[doc(alias("atlas of charts", "gimbal lock"))]
     pub fn free_euler_sequence(&self, locked: EulerSequence) -> EulerSequence {
         let farthest = |axes: &dyn Fn(EulerSequence) -> bool| {
-            EulerSequence::all()
-                .filter(|sequence| sequence.frame == locked.frame && axes(*sequence))
-                .map(|sequence| (self.euler(sequence).lock_distance_rad, sequence))
+            let mut best: Option<(f64, EulerSequence)> = None;
+            for axes_of_other in EulerAxes::ALL {
+                let sequence = EulerSequence {
+                    axes: axes_of_other,
+                    ..locked
+                };
+                if !axes(sequence) {
+                    continue;
+                }
+                let distance_rad = self.euler(sequence).lock_distance_rad;
                 // The first of those that are as far.
-                .reduce(|best, next| {
-                    if next.0 > best.0 + AS_FREE_RAD {
-                        next
-                    } else {
-                        best
-                    }
-                })
+                if best.is_none_or(|(farthest_rad, _)| distance_rad > farthest_rad + AS_FREE_RAD) {
+                    best = Some((distance_rad, sequence));
+                }
+            }
+            best
         };
         farthest(&|sequence| sequence.has_axes_of(locked))
             .filter(|(distance_rad, _)| *distance_rad > FREE_RAD)

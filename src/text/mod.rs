@@ -117,8 +117,6 @@
 // Members to a description of a rotation.
 pub(crate) mod description;
 
-// Texts that are decimal numbers.
-
 // Tokens, and the tree that they make.
 pub(crate) mod grammar;
 
@@ -151,11 +149,11 @@ use crate::text::description::told::{Layout, check_plain};
 use crate::text::description::{list, quaternion};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
-pub(crate) use crate::text::grammar::decimal_text::is_decimal;
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
+pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::labels::{other_than_rotation, says_nothing};
 use nalgebra::Vector3;

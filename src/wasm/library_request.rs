@@ -75,10 +75,7 @@ fn endpoint(members: &Members<'_>) -> Typed<Endpoint> {
 pub(crate) fn identify_request(request: &Members<'_>) -> Typed<IdentifyRequest> {
     request.only(&IDENTIFY)?;
     Ok(IdentifyRequest {
-        observations: request
-            .list_of_objects("observations")?
-            .map(|members| probe(&members?))
-            .collect::<Typed<_>>()?,
+        observations: request.list_of_objects("observations", probe)?,
         name: request.text_or_empty("name")?,
         language: request.named_or_default("language")?,
         unavailable: request.list_of_named("unavailable")?,

@@ -200,16 +200,28 @@ impl<'r> Members<'r> {
         if value.is_undefined() {
             return Ok(Vec::new());
         }
-        let elements = elements(value, self.path_to(name))?;
-        elements
-            .map(|element| element.and_then(|(path, element)| named(&element, &path)))
-            .collect()
+        let list = List::of(value, self.path_to(name))?;
+        let mut all = Vec::new();
+        for at in 0..list.length {
+            let (path, element) = list.element(at)?;
+            all.push(named(&element, &path)?);
+        }
+        Ok(all)
     }
 
-    pub(crate) fn list_of_objects(&self, name: &str) -> Typed<impl Iterator<Item = Typed<Self>>> {
-        let elements = elements(self.value(name)?, self.path_to(name))?;
-        Ok(elements
-            .map(|element| element.and_then(|(path, object)| Self::of(object, path, self.texts))))
+    /// What is read of the objects of a list.
+    pub(crate) fn list_of_objects<Read>(
+        &self,
+        name: &str,
+        read: fn(&Self) -> Typed<Read>,
+    ) -> Typed<Vec<Read>> {
+        let list = List::of(self.value(name)?, self.path_to(name))?;
+        let mut all = Vec::new();
+        for at in 0..list.length {
+            let (path, object) = list.element(at)?;
+            all.push(read(&Self::of(object, path, self.texts)?)?);
+        }
+        Ok(all)
     }
 }
 
@@ -221,23 +233,40 @@ extern "C" {
     fn is_array(value: &JsValue) -> Result<bool, JsValue>;
 }
 
-/// The elements of a list, each with its path. A proxy may say anything of its length.
+/// A list, and how many elements of it are read. A proxy may say anything of its length.
 #[cfg(feature = "libraries")]
-fn elements(list: JsValue, path: String) -> Typed<impl Iterator<Item = Typed<(String, JsValue)>>> {
-    if !is_array(&list)? {
-        return Err(not_of_kind(&list, &path, "a list"));
+struct List {
+    list: JsValue,
+    path: String,
+    length: u32,
+}
+
+#[cfg(feature = "libraries")]
+impl List {
+    fn of(list: JsValue, path: String) -> Typed<Self> {
+        if !is_array(&list)? {
+            return Err(not_of_kind(&list, &path, "a list"));
+        }
+        let told = Reflect::get(&list, &"length".into())?;
+        let told = told.as_f64().unwrap_or_default();
+        if !(0.0..=f64::from(MOST_ELEMENTS)).contains(&told) {
+            let length = shortest(told);
+            return Err(refused(&format!(
+                "`{path}` has {length} elements; at most {MOST_ELEMENTS} are read"
+            )));
+        }
+        let mut length = 0;
+        while f64::from(length) < told {
+            length += 1;
+        }
+        Ok(Self { list, path, length })
     }
-    let length = Reflect::get(&list, &"length".into())?;
-    let length = length.as_f64().unwrap_or_default();
-    if !(0.0..=f64::from(MOST_ELEMENTS)).contains(&length) {
-        let length = shortest(length);
-        return Err(refused(&format!(
-            "`{path}` has {length} elements; at most {MOST_ELEMENTS} are read"
-        )));
+
+    /// An element with its path.
+    fn element(&self, at: u32) -> Typed<(String, JsValue)> {
+        let path = format!("{}[{at}]", self.path);
+        Ok((path, Reflect::get_u32(&self.list, at)?))
     }
-    Ok((0..MOST_ELEMENTS)
-        .take_while(move |&at| f64::from(at) < length)
-        .map(move |at| Ok((format!("{path}[{at}]"), Reflect::get_u32(&list, at)?))))
 }
 
 #[cfg(feature = "libraries")]

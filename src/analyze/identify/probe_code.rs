@@ -160,25 +160,27 @@ pub(crate) fn code(probe: &Probe, language: Language) -> Option<String> {
             return None;
         }
         let separators = |c: char| c.is_whitespace() || ",;[](){}".contains(c);
-        let numbers = text.split(separators).filter(|part| !part.is_empty());
-        let written = numbers.map(|number| {
-            is_decimal(number).then(|| match language {
+        let mut written = Vec::new();
+        for number in text.split(separators).filter(|part| !part.is_empty()) {
+            if written.len() == count || !is_decimal(number) {
+                return None;
+            }
+            written.push(match language {
                 Language::Rust if !number.contains('.') => format!("{number}.0"),
                 _ => number.to_owned(),
-            })
-        });
-        // One more than wanted is too many: the rest need not be read.
-        let written = written.take(count + 1).collect::<Option<Vec<_>>>()?;
+            });
+        }
         (written.len() == count).then_some(written)
     };
     let quaternion = |text: &str| Some(idiom.quaternion.replace("{n}", &list(text, 4)?.join(", ")));
     let vector = |text: &str| Some(idiom.vector.replace("{n}", &list(text, 3)?.join(", ")));
     let matrix = |text: &str| {
         let numbers = list(text, 9)?;
-        let rows: Vec<String> = numbers.chunks(3).map(|row| row.join(", ")).collect();
-        let row = |at: usize| rows.get(at).cloned().unwrap_or_default();
-        let rows = idiom.matrix.replace("{r1}", &row(0));
-        Some(rows.replace("{r2}", &row(1)).replace("{r3}", &row(2)))
+        let mut rows = idiom.matrix.to_owned();
+        for (place, row) in ["{r1}", "{r2}", "{r3}"].iter().zip(numbers.chunks(3)) {
+            rows = rows.replace(place, &row.join(", "));
+        }
+        Some(rows)
     };
     let expression = match probe {
         Probe::Components { quaternion: q, .. } => quaternion(q)?,

@@ -210,10 +210,13 @@ pub fn increment_of(
         };
         turned.angle_to_rad(after) < nearer_than_rad
     };
-    let all = Perturbation::ALL
-        .into_iter()
-        .flat_map(|axes| IncrementSign::ALL.map(|sign| (axes, sign)));
-    let mut fitting = all.filter(fits);
-    let told = fitting.next()?;
-    fitting.next().is_none().then_some(told)
+    let mut told = None;
+    for axes in Perturbation::ALL {
+        for sign in IncrementSign::ALL {
+            if fits(&(axes, sign)) && told.replace((axes, sign)).is_some() {
+                return None;
+            }
+        }
+    }
+    told
 }

@@ -7,8 +7,8 @@ use crate::convention::{Convention, Direction};
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
 use crate::text::description::ParsedRotation;
-use crate::text::grammar::decimal_text::is_decimal;
 use crate::text::grammar::lex::{Token, TokenKind};
+use crate::text::vocabulary::decimal_words::is_decimal;
 use crate::text::vocabulary::labels::{Derived, LabelWord, meanings_of, words_of};
 use crate::text::vocabulary::phrases::{is_mark, is_name, is_sequence};
 use crate::text::vocabulary::{Comment, Telling, is_listed};
@@ -85,7 +85,7 @@ impl<'t> Told<'t> {
         for comment in comments {
             let refused =
                 |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
-            let words: Vec<&str> = words_of(comment.text).collect();
+            let words = words_of(comment.text);
             let own: String = words
                 .iter()
                 .filter(|word| is_component(word))

@@ -4,7 +4,6 @@
 
 // The arithmetic of typed text.
 pub(crate) mod arithmetic;
-pub(crate) mod decimal_text;
 
 // What stands between tokens.
 pub(crate) mod blank;

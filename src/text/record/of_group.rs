@@ -52,7 +52,7 @@ pub(crate) fn of_group(
                 }))
             )
         });
-        (made, is_ordered.then_some(context.ordering).flatten())
+        (made, context.ordering.filter(|_| is_ordered))
     });
     let found = Found {
         label: label_of(&group.path),

@@ -2,9 +2,9 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
-use crate::text::grammar::decimal_text::finite_decimal;
 use crate::text::record::names::is_usual_name;
 use crate::text::record::quantity::Group;
+use crate::text::record::scan::finite_decimal;
 
 /// A row of numbers and the names above them.
 pub(crate) struct Table<'t> {
@@ -261,10 +261,11 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
         Divided::Semicolons => ';',
         Divided::Spaces => return line.split_whitespace().collect(),
         Divided::Anything => {
-            return line
+            let mut cells = line
                 .split(|mark: char| mark.is_whitespace() || ",;[](){}|".contains(mark))
-                .filter(|cell| !cell.is_empty())
-                .collect();
+                .collect::<Vec<_>>();
+            cells.retain(|cell| !cell.is_empty());
+            return cells;
         }
     };
     let line = if way == Divided::Bars {
@@ -277,9 +278,11 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
     if is_rule || !line.contains(mark) {
         return Vec::new();
     }
-    line.split(mark)
-        .map(|cell| cell.trim().trim_matches(['"', '\'']))
-        .collect()
+    let mut cells = Vec::new();
+    for cell in line.split(mark) {
+        cells.push(cell.trim().trim_matches(['"', '\'']));
+    }
+    cells
 }
 
 /// The number that a cell is; with a decimal comma where commas do not divide cells.

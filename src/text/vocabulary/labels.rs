@@ -12,15 +12,18 @@ use crate::text::vocabulary::label_words::{BODIES, CONJUGATING, STEMS, WORDS, WO
 pub(crate) use crate::text::vocabulary::label_words::{Derived, LabelWord};
 
 /// The words of a name: its parts between marks, capitals (`qInv`) and digits (`c2w`).
-pub(crate) fn words_of(name: &str) -> impl Iterator<Item = &str> {
+pub(crate) fn words_of(name: &str) -> Vec<&str> {
+    let mut words = Vec::new();
     let mut rest = name;
-    std::iter::from_fn(move || {
+    loop {
         rest = rest.trim_start_matches(|character: char| !character.is_alphanumeric());
-        let end = end_of_word(rest);
-        let (word, after) = rest.split_at(end);
+        let (word, after) = rest.split_at(end_of_word(rest));
+        if word.is_empty() {
+            return words;
+        }
+        words.push(word);
         rest = after;
-        (!word.is_empty()).then_some(word)
-    })
+    }
 }
 
 /// Where the word ends that a text begins with.
@@ -104,7 +107,10 @@ fn between_frames(from: &str, to: &str) -> Option<LabelWord> {
 
 /// All that the words of a name say, one by one and together.
 pub(crate) fn meanings_of(name: &str) -> Vec<LabelWord> {
-    let words: Vec<String> = words_of(name).map(str::to_ascii_lowercase).collect();
+    let mut words = Vec::new();
+    for word in words_of(name) {
+        words.push(word.to_ascii_lowercase());
+    }
     let mut meanings = Vec::new();
     let mut at = 0;
     while at < words.len() {
@@ -199,7 +205,7 @@ pub(crate) fn other_than_vector(name: &str) -> Option<LabelWord> {
         let word = word.to_ascii_lowercase();
         word.len() == 3 && word != "xyz" && "xyz".chars().all(|axis| word.contains(axis))
     };
-    if words_of(name).any(is_permuted) {
+    if words_of(name).into_iter().any(is_permuted) {
         return Some(LabelWord::OtherOrder);
     }
     if !cfg!(feature = "whole") {
@@ -231,7 +237,7 @@ pub(crate) fn says_nothing(name: &str) -> bool {
         is_listed(&lower, OF_ROTATIONS) || meaning_of_word(word).is_some()
     };
     let is_symbol = name.is_ascii() && name.len() <= LONGEST_SYMBOL;
-    !is_symbol && !words_of(name).any(is_known)
+    !is_symbol && !words_of(name).into_iter().any(is_known)
 }
 
 /// The order that a value is and nothing else: `xyzw`, `scalar_last`.
@@ -268,7 +274,7 @@ mod tests {
 
     #[wasm_bindgen_test(unsupported = test)]
     fn a_name_is_split_at_marks_capitals_and_digits() {
-        let split = |name| words_of(name).collect::<Vec<_>>().join(" ");
+        let split = |name| words_of(name).join(" ");
         assert_eq!(split("q_scalar.last-of:it"), "q scalar last of it");
         assert_eq!(split("qInv"), "q Inv");
         assert_eq!(split("worldToBodyJPLQuat"), "world To Body JPL Quat");

@@ -9,6 +9,9 @@ pub(crate) mod console;
 // What a call does with its numbers.
 pub(crate) mod constructors;
 
+// Words that are decimal numbers.
+pub(crate) mod decimal_words;
+
 // Words of a declaration.
 pub(crate) mod declaration;
 

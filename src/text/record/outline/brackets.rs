@@ -1,5 +1,6 @@
 //! What brackets and elements hold.
 
+use crate::problem::Span;
 use crate::text::record::outline::{Builder, Kind, Member, Open, Opened, Pending, scope};
 use crate::text::record::scan::{Mark, Token};
 
@@ -122,33 +123,33 @@ impl<'t> Builder<'t> {
         if !is_words || open.opened != Opened::Bracket {
             return None;
         }
-        let mut words: Vec<Token<'t>> = open
-            .member
-            .members
-            .iter()
-            .map(|member| Token {
+        let mut words = Vec::new();
+        let mut add = |text: &'t str, span: Span| {
+            words.push(Token {
                 mark: Mark::Word,
-                text: member.text,
-                span: member.span,
-            })
-            .collect();
-        words.append(&mut self.pending.words);
-        self.pending.labels.clear();
-        // The time of a log says nothing of what follows.
-        words.retain(|word| !word.text.starts_with(|first: char| first.is_ascii_digit()));
-        let open = self.open.last()?;
-        let key = open.member.key;
-        let before = Token {
-            mark: Mark::Word,
-            text: key,
-            span: self.span_of(key),
+                text,
+                span,
+            });
         };
+        let key = open.member.key;
+        if !key.is_empty() {
+            add(key, self.span_of(key));
+        }
+        // The time of a log says nothing of what follows.
+        let is_time = |text: &str| text.starts_with(|first: char| first.is_ascii_digit());
+        for member in &open.member.members {
+            if !is_time(member.text) {
+                add(member.text, member.span);
+            }
+        }
+        for word in &self.pending.words {
+            if !is_time(word.text) {
+                add(word.text, word.span);
+            }
+        }
+        self.pending = Pending::default();
         Some(Pending {
-            words: (!key.is_empty())
-                .then_some(before)
-                .into_iter()
-                .chain(words)
-                .collect(),
+            words,
             labels: Vec::new(),
         })
     }

@@ -1,9 +1,8 @@
 //! Names, what stands in quotes, and tags.
 
 use crate::problem::Span;
-use crate::text::grammar::decimal_text::finite_decimal;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
-use crate::text::record::scan::{Mark, Scanner, Token};
+use crate::text::record::scan::{Mark, Scanner, Token, finite_decimal};
 use crate::text::vocabulary::constructors::order_in_name;
 
 impl<'t> Scanner<'t> {

@@ -1,7 +1,4 @@
-//! Texts that are decimal numbers.
-
-#[cfg(feature = "whole")]
-use crate::decimal::nearest_double;
+//! Words that are decimal numbers.
 
 /// Whether a text is a decimal number and no more: a sign, digits, a point, an exponent.
 pub(crate) fn is_decimal(text: &str) -> bool {
@@ -15,15 +12,8 @@ pub(crate) fn is_decimal(text: &str) -> bool {
     };
     let (whole, part) = number.split_once('.').unwrap_or((number, ""));
     let are_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    let has_digits = !exponent.is_empty() && (!whole.is_empty() || !part.is_empty());
-    has_digits && are_digits(whole) && are_digits(part) && are_digits(exponent)
-}
-
-/// The number that a text is and no more; `None` where no double is so large.
-#[cfg(feature = "whole")]
-pub(crate) fn finite_decimal(text: &str) -> Option<f64> {
-    let number = is_decimal(text).then(|| nearest_double(text))?;
-    number.is_finite().then_some(number)
+    let is_empty = exponent.is_empty() || (whole.is_empty() && part.is_empty());
+    !is_empty && are_digits(whole) && are_digits(part) && are_digits(exponent)
 }
 
 #[cfg(test)]

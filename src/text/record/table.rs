@@ -261,10 +261,11 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
         Divided::Semicolons => ';',
         Divided::Spaces => return line.split_whitespace().collect(),
         Divided::Anything => {
-            return line
+            let mut cells = line
                 .split(|mark: char| mark.is_whitespace() || ",;[](){}|".contains(mark))
-                .filter(|cell| !cell.is_empty())
-                .collect();
+                .collect::<Vec<_>>();
+            cells.retain(|cell| !cell.is_empty());
+            return cells;
         }
     };
     let line = if way == Divided::Bars {
@@ -277,9 +278,11 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
     if is_rule || !line.contains(mark) {
         return Vec::new();
     }
-    line.split(mark)
-        .map(|cell| cell.trim().trim_matches(['"', '\'']))
-        .collect()
+    let mut cells = Vec::new();
+    for cell in line.split(mark) {
+        cells.push(cell.trim().trim_matches(['"', '\'']));
+    }
+    cells
 }
 
 /// The number that a cell is; with a decimal comma where commas do not divide cells.

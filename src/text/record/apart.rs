@@ -12,11 +12,12 @@ use crate::text::record::quantity::Group;
 
 /// Three numbers without a name in the brackets that hold four numbers of a quaternion: `((x, y, z), (…))`.
 pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> {
-    let quaternions: Vec<Span> = found
-        .iter()
-        .filter(|found| matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_))))
-        .map(|found| found.span)
-        .collect();
+    let mut quaternions = Vec::new();
+    for found in found {
+        if matches!(found.made, Made::Rotation(ParsedRotation::Quaternion(_))) {
+            quaternions.push(found.span);
+        }
+    }
     let is_told = |group: &Group<'_>| {
         found
             .iter()

@@ -111,14 +111,13 @@ impl<'t> Quantities<'t> {
             return Vec::new();
         };
         let inside = &text[group.span.start..group.span.end];
-        let rows: Vec<Span> = inside
-            .lines()
-            .map(|line| {
+        let mut rows = Vec::new();
+        for line in inside.lines() {
+            if !line.trim().is_empty() {
                 let start = line.as_ptr() as usize - text.as_ptr() as usize;
-                Span::from(start..start + line.len())
-            })
-            .filter(|span| !text[span.start..span.end].trim().is_empty())
-            .collect();
+                rows.push(Span::from(start..start + line.len()));
+            }
+        }
         if rows.len() != group.rows.len() {
             return Vec::new();
         }

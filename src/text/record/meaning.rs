@@ -209,8 +209,7 @@ impl Meaning {
 
     fn role_in(key: &str) -> Option<Role> {
         let words = words_of(key);
-        let two = words.windows(2).map(|pair| pair.concat());
-        let all: Vec<String> = words.iter().cloned().chain(two).collect();
+        let pairs = words.windows(2);
         // `T` is a transform and `t` a translation; `R` is a matrix.
         let first = key
             .split(|mark: char| !mark.is_alphanumeric())
@@ -224,7 +223,6 @@ impl Meaning {
             .rev()
             .take_while(|word| word.len() == 1 && "wxyz".contains(word.as_str()))
             .count();
-        let pairs = &all[words.len()..];
         // `euler_from_quaternion`: what it was made of says nothing.
         let from = words
             .iter()
@@ -239,7 +237,7 @@ impl Meaning {
         if words.is_empty() {
             return (letters == 4).then_some(Role::Quaternion);
         }
-        let two = pairs.iter().rev().find_map(|word| role_of_word(word));
+        let two = pairs.rev().find_map(|pair| role_of_word(&pair.concat()));
         // A letter is a name only where it stands alone: `tGripper` is no translation.
         let stands_alone = |word: &str| {
             word.chars().count() > 1

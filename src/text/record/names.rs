@@ -1,5 +1,7 @@
-//! Names to the words in them.
+//! Names to the words in them, and words that are numbers.
 
+use crate::decimal::nearest_double;
+use crate::text::vocabulary::decimal_words::is_decimal;
 use crate::text::vocabulary::is_listed;
 
 /// The words of a name, in small letters: `m_LocalRotation` is m, local, rotation.
@@ -45,6 +47,12 @@ pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
     key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
         .filter(|name| !name.is_empty())
         .map(str::to_ascii_lowercase)
+}
+
+/// The number that a word is and no more; `None` where no double is so large.
+pub(crate) fn finite_decimal(word: &str) -> Option<f64> {
+    let number = is_decimal(word).then(|| nearest_double(word))?;
+    number.is_finite().then_some(number)
 }
 
 /// Names that are written in another way.

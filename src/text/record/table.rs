@@ -2,9 +2,8 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
-use crate::text::record::names::is_usual_name;
+use crate::text::record::names::{finite_decimal, is_usual_name};
 use crate::text::record::quantity::Group;
-use crate::text::record::scan::finite_decimal;
 
 /// A row of numbers and the names above them.
 pub(crate) struct Table<'t> {

@@ -99,13 +99,14 @@ impl<'t> Builder<'t> {
 
 /// Whether a line is a name and a label and no more.
 fn is_heading(tokens: &[Token<'_>]) -> bool {
-    let line: Vec<Mark> = tokens
-        .iter()
-        .map(|token| token.mark)
-        .take_while(|mark| !matches!(mark, Mark::Line(_)))
-        .collect();
-    let words = line
-        .iter()
-        .all(|mark| matches!(mark, Mark::Word | Mark::Label));
-    words && line.last() == Some(&Mark::Label)
+    let mut ends_with_label = false;
+    for token in tokens {
+        match token.mark {
+            Mark::Line(_) => break,
+            Mark::Label => ends_with_label = true,
+            Mark::Word => ends_with_label = false,
+            _ => return false,
+        }
+    }
+    ends_with_label
 }

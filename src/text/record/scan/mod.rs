@@ -11,7 +11,6 @@ mod word;
 
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
-pub(crate) use crate::text::record::scan::number::finite_decimal;
 use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.

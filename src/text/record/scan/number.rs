@@ -3,13 +3,6 @@
 use crate::decimal::nearest_double;
 use crate::text::record::scan::lexemes::{identifier, time};
 use crate::text::record::scan::{Decimals, Mark, Scanner, Token};
-use crate::text::vocabulary::decimal_words::is_decimal;
-
-/// The number that a word is and no more; `None` where no double is so large.
-pub(crate) fn finite_decimal(word: &str) -> Option<f64> {
-    let number = is_decimal(word).then(|| nearest_double(word))?;
-    number.is_finite().then_some(number)
-}
 
 impl<'t> Scanner<'t> {
     pub(crate) fn sign(&mut self, first: char) {

@@ -1,8 +1,9 @@
 //! Names, what stands in quotes, and tags.
 
 use crate::problem::Span;
+use crate::text::record::names::finite_decimal;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
-use crate::text::record::scan::{Mark, Scanner, Token, finite_decimal};
+use crate::text::record::scan::{Mark, Scanner, Token};
 use crate::text::vocabulary::constructors::order_in_name;
 
 impl<'t> Scanner<'t> {

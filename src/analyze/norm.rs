@@ -25,8 +25,7 @@ pub(crate) fn is_far_from_unit(parsed: &ParsedQuaternion, norm: f64) -> bool {
 pub(crate) fn check_norm(parsed: &ParsedQuaternion, norm: f64, span: Span) -> Result<(), Fault> {
     // Four times −9999 is what some programs write for no value.
     let first = parsed.quaternion.w;
-    if cfg!(feature = "whole")
-        && norm > NO_QUATERNION
+    if norm > NO_QUATERNION
         && parsed
             .quaternion
             .coords

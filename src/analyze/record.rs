@@ -49,20 +49,10 @@ pub(crate) fn of_record(
 /// stays a problem of the text itself.
 fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
     let has_words = text.contains(char::is_alphabetic);
-    // `0.7,0.1,,-0.5,0.5`: a number is missing.
-    let has_empty_cell = || {
-        text.split(',')
-            .rev()
-            .skip(1)
-            .any(|cell| cell.trim().is_empty())
-    };
-    if !has_words && has_empty_cell() {
-        return false;
-    }
     let is_one_line = !text.trim().contains('\n');
     let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
     let is_of_format =
-        |found: &RecordRotation| found.format.is_some_and(|format| !format.marks.is_empty());
+        |found: &RecordRotation| found.format.is_some_and(|format| format.has_marks());
     let holds_more = record.quantities > 1
         || record.rotations.len() + record.beside.len() > 1
         || !record.rows.is_empty()
@@ -161,7 +151,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
         let label = shorten(&found.label, LONGEST_LABEL);
         told.push(Fact::RotationAssumed(RotationAssumed { label }));
     }
-    if let Some(format) = found.format.filter(|format| format.marks.is_empty()) {
+    if let Some(format) = found.format.filter(|format| !format.has_marks()) {
         told.push(Fact::FormatAssumed(FormatAssumed {
             format: format.name.to_owned(),
         }));
@@ -255,7 +245,7 @@ fn is_of_format(found: &RecordRotation, declared: Declared) -> bool {
         let is_declared = declared
             .library
             .is_some_and(|library| library.id == format.id);
-        is_declared || !format.marks.is_empty()
+        is_declared || format.has_marks()
     })
 }
 

@@ -129,3 +129,23 @@ test("of a long text the address holds the numbers that were read, and a reload 
   await expect(quaternionField(page)).toHaveValue(text);
   await expect(said).toBeVisible();
 });
+
+test("a long text stays in the address where its numbers alone would be another rotation", async ({
+  page,
+}) => {
+  const lines = "[INFO]: waiting for a transform\n".repeat(300);
+  const numbers = "orientation: {x: 0.1, y: 0.3, z: 0.5, w: 0.8}";
+  const quaternionOfLink = async (text: string) => {
+    await page.goto("/#translate?from=eigen&to=drake");
+    await page.getByRole("textbox", { name: "quaternion" }).first().fill(text);
+    await expect(page.getByText("The text is too long for an address")).toHaveCount(
+      text.includes("world_to_body") ? 0 : 1,
+    );
+    await page.keyboard.press("Escape");
+    const link = await shared(page, "Link");
+    return new URLSearchParams(link.split("?")[1]).get("translated");
+  };
+  expect(await quaternionOfLink(`${lines}${numbers}`)).toBe("w=0.8 x=0.1 y=0.3 z=0.5");
+  const directed = `${lines}world_to_body: ${numbers}`;
+  expect(await quaternionOfLink(directed)).toBe(directed);
+});

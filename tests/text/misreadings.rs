@@ -281,6 +281,11 @@ const MISLEADING: &[(&str, ProblemCode, &str)] = &[
         ProblemCode::FarFromUnit,
         "quat: -9999 -9999 -9999 -9999",
     ),
+    (
+        "quaternion 200 200 200 200",
+        ProblemCode::FarFromUnit,
+        "quaternion 200 200 200 200",
+    ),
     // What says itself that nothing was measured.
     (
         r#"{"isTracked": false, "rotation": [0, 0, 0, 1]}"#,

@@ -9,7 +9,7 @@ import {
 import type { Engine, Field, Outcome, Problem, Request } from "../engine.ts";
 import { declaredConvention } from "../model/conventions.ts";
 import { opening, type PageState } from "../model/page_state.ts";
-import { addressed } from "./addressed.ts";
+import { type Answer, addressed } from "./addressed.ts";
 import { endAnnouncement } from "./announcement.ts";
 import {
   type Content,
@@ -178,8 +178,6 @@ function knownBy({ libraries }: Engine): (id: string) => boolean {
   const known = new Set(libraries.map(({ id }) => id));
   return (id) => known.has(id);
 }
-
-type Answer = ReturnType<Engine["analyze"]> | undefined;
 
 /** What the core answers to a state; nothing where its view asks nothing, or more than this core knows. */
 function answer(state: PageState, engine: Engine): Answer {

@@ -18,6 +18,13 @@ pub(crate) struct Format {
     pub(crate) fields: &'static [Field],
 }
 
+impl Format {
+    /// Whether words mark it; one without is known by its numbers alone, or not at all.
+    pub(crate) const fn has_marks(&self) -> bool {
+        !self.marks.is_empty()
+    }
+}
+
 /// Where numbers stand and what they are.
 #[derive(Debug)]
 pub(crate) enum Field {

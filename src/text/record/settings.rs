@@ -139,10 +139,7 @@ pub(crate) fn unknown_orientation(quantities: &Quantities<'_>) -> Option<Span> {
 pub(crate) fn is_plain(quantities: &Quantities<'_>, context: &Context) -> bool {
     const ANNOUNCING: &str = "deg rad degrees radians rotvec rpy ypr mrp gibbs euler xyz zyx zyz zxz intrinsic extrinsic fixed static moving \
                               rotating axis angle axisangle halfangle";
-    let is_marked = context
-        .formats
-        .iter()
-        .any(|format| !format.marks.is_empty());
+    let is_marked = context.formats.iter().any(|format| format.has_marks());
     let announces = |path: &[&str]| {
         let first = path.iter().flat_map(|key| words_of(key)).next();
         first.is_none_or(|first| is_listed(&first, ANNOUNCING))

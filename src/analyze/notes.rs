@@ -68,7 +68,7 @@ impl Attitude {
         let mut notes = Vec::new();
         for fact in facts {
             notes.push(match fact {
-                Fact::FarFromUnit(_) => {
+                Fact::FarFromUnit(_) | Fact::DescriptionsDisagree(_) => {
                     Note::new(field, fact).suggesting(|| self.meanings.to_vec())
                 }
                 _ => Note::new(field, fact),
@@ -165,7 +165,7 @@ impl Attitude {
     }
 
     /// The attitude if the same four numbers stood in the other order.
-    fn read_in_other_order(&self) -> Option<Rotation> {
+    pub(crate) fn read_in_other_order(&self) -> Option<Rotation> {
         let convention = self.tagged.convention;
         let other = Convention {
             order: convention.order.other(),

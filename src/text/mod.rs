@@ -141,7 +141,7 @@ use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
 pub use crate::text::description::ParsedRotation;
-pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
+pub(crate) use crate::text::description::list::only_numbers;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
 pub(crate) use crate::text::description::told::Told;

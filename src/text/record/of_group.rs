@@ -10,6 +10,7 @@ use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
 use crate::text::record::quantity::{Group, own_key};
+use nalgebra::Vector4;
 
 /// Adds what a group is.
 pub(crate) fn of_group(
@@ -260,6 +261,9 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     }
 }
 
+/// What two decimals change a norm of four numbers by, at most.
+const ROUNDING_OF_TWO_DECIMALS: f64 = 0.01;
+
 /// Rows of four numbers of norm 1 that are no matrix.
 fn several_quaternions(group: &Group<'_>, said: Said<'_>) -> Option<Vec<Made>> {
     let (rows, rest) = group.numbers.as_chunks::<4>();
@@ -272,6 +276,11 @@ fn several_quaternions(group: &Group<'_>, said: Said<'_>) -> Option<Vec<Made>> {
     }
     let mut several = Vec::new();
     for row in rows {
+        // Those of a projective matrix may nearly have it.
+        let norm = Vector4::from(*row).norm();
+        if (norm - 1.0).abs() > ROUNDING_OF_TWO_DECIMALS {
+            return None;
+        }
         several.push(Made::Rotation(quaternion(row, said.order)?));
     }
     Some(several)

@@ -162,7 +162,12 @@ use crate::text::description::{list, quaternion};
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
+pub(crate) use crate::text::record::{
+    DeclaredFormat, Record, RecordRotation, What, made_above, made_by_code, made_by_remark,
+    marked_label, record_of,
+};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::vocabulary::Comment;
 use crate::text::vocabulary::Telling;
 pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]

@@ -6,6 +6,7 @@ use crate::text::record::meaning::may_compute;
 use crate::text::record::named::named;
 use crate::text::record::outline::{Kind, Member};
 use crate::text::record::quantity::{Group, Named, Value, is_named};
+use crate::text::record::remark::remark_behind;
 use crate::text::record::rows::{with_listed_names, with_repeated, with_rows_by_name};
 
 /// All quantities of a text.
@@ -78,6 +79,7 @@ impl<'t> Quantities<'t> {
                             unit: alike.iter().find_map(unit),
                             has_commas: true,
                             is_line: false,
+                            remark: "",
                         });
                         at += count;
                     }
@@ -126,6 +128,22 @@ impl<'t> Quantities<'t> {
         group.rows = vec![first];
         group.span = rows[0];
         rows
+    }
+
+    /// With what is said behind them in their lines.
+    pub(crate) fn take_remarks(&mut self, text: &'t str) {
+        let behind = |end: usize| {
+            let remark = remark_behind(text, end);
+            &text[remark.start..remark.end]
+        };
+        for group in &mut self.groups {
+            group.remark = behind(group.span.end);
+        }
+        for named in &mut self.named {
+            if let Some(last) = named.members.last() {
+                named.remark = behind(last.span.end);
+            }
+        }
     }
 
     /// With the groups of a table in place of those that stand inside it.
@@ -229,6 +247,7 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         unit: run.iter().find_map(unit),
         has_commas: run[1..].iter().any(|member| member.follows_comma),
         is_line: false,
+        remark: "",
     }
 }
 

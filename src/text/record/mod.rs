@@ -44,11 +44,17 @@ mod parts;
 // Runs of numbers, and single numbers by name.
 mod quantity;
 
+// What is said outside of names.
+mod remark;
+
 // Numbers that are rows of one matrix by name.
 mod rows;
 
 // Any text to tokens.
 mod scan;
+
+// Sequences of Euler angles in names.
+mod sequences;
 
 // What words say of all numbers.
 mod settings;
@@ -73,6 +79,10 @@ use crate::text::record::group::Quantities;
 use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
+use crate::text::record::remark::{code_above, remark_behind};
+pub(crate) use crate::text::record::remark::{
+    made_above, made_by_code, made_by_remark, marked_label,
+};
 use crate::text::record::scan::{Token, scan};
 use crate::text::record::settings::{
     Settings, has_duplicate, is_balanced, is_plain, unknown_orientation,
@@ -94,6 +104,10 @@ pub(crate) struct RecordRotation {
     pub(crate) format: Option<&'static Format>,
     /// What divides the rows of nine numbers.
     pub(crate) has_rows: bool,
+    /// What is said behind it in its line.
+    pub(crate) remark: Span,
+    /// The line of code above that printed it.
+    pub(crate) code: Option<Span>,
 }
 
 /// What else stands in a record.
@@ -184,6 +198,7 @@ pub(crate) fn record_of(
     if rows.is_empty() {
         rows = quantities.take_first_row(text);
     }
+    quantities.take_remarks(text);
     let mut settings = Settings::of(&quantities.values);
     // `degrees='1'`
     for named in &quantities.named {
@@ -239,14 +254,14 @@ pub(crate) fn record_of(
         unknown_orientation: unknown_orientation(&quantities),
     };
     for found in all {
-        record.take(found, is_doubtful);
+        record.take(text, found, is_doubtful);
     }
     record
 }
 
 impl Record {
     /// Takes what was found; rotations in doubt are none.
-    fn take(&mut self, found: Found, is_doubtful: bool) {
+    fn take(&mut self, text: &str, found: Found, is_doubtful: bool) {
         let is_in_world = matches!(found.made, Made::Centre(_));
         let (rotation, by_columns) = match found.made {
             Made::Rotation(rotation) => (rotation, false),
@@ -280,6 +295,8 @@ impl Record {
             is_derived: found.is_derived || found.is_computed,
             format: found.format,
             has_rows: found.has_rows,
+            remark: remark_behind(text, found.span.end),
+            code: code_above(text, found.span.start),
         });
     }
 }

@@ -19,7 +19,7 @@ pub(crate) fn of_group(
     fields: &[Asked],
     all: &mut Vec<Found>,
 ) {
-    let meaning = Meaning::of(&group.path);
+    let meaning = Meaning::of(&group.path).with_remark(group.remark);
     let said = Said {
         unit: group.unit.or(meaning.unit).or(context.unit),
         ..context.said(&meaning)

@@ -1,7 +1,7 @@
 //! Any text to tokens, whatever language it is of: what is not understood is passed over, nothing fails.
 
 // What the beginning of a text is.
-mod lexemes;
+pub(crate) mod lexemes;
 
 // Numbers and their signs.
 mod number;
@@ -282,6 +282,9 @@ impl<'t> Scanner<'t> {
             '<' if second == '|' => self.push(Mark::Comma, 2),
             '<' => self.angle(),
             '/' if second == '>' => self.push(Mark::TagClose, 2),
+            // What was, and what is.
+            '=' if second == '>' && self.follows_value() => self.push(Mark::Bar, 2),
+            '→' | '⇒' if self.follows_value() => self.push(Mark::Bar, first.len_utf8()),
             '=' if second == '>' => self.push(Mark::Label, 2),
             '=' if second == '=' => self.push(Mark::Operator, 2),
             ':' | '=' => self.push(Mark::Label, 1),
@@ -346,6 +349,16 @@ impl<'t> Scanner<'t> {
                 self.push(Mark::Operator, first.len_utf8());
             }
             _ => self.at += first.len_utf8(),
+        }
+    }
+
+    /// Whether numbers stand before this place.
+    fn follows_value(&self) -> bool {
+        let is_number = |token: &Token<'_>| matches!(token.mark, Mark::Number(_));
+        match &self.tokens[..] {
+            [.., last] if is_number(last) => true,
+            [.., inside, last] => last.mark == Mark::Close && is_number(inside),
+            _ => false,
         }
     }
 

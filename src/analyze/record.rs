@@ -2,7 +2,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
-use crate::analyze::record_told::{SAME_WITHIN_DEG, descriptions, found_in_text};
+use crate::analyze::record_told::{SAME_WITHIN_DEG, descriptions, found_in_text, loose_angles};
 use crate::contract::{Fact, Form, FormatAssumed, RotationAssumed};
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
@@ -32,9 +32,32 @@ pub(crate) fn of_record(
     }
     match plain {
         Ok(plain) => beside_plain(text, declared, &record, plain),
-        Err(fault) if may_hold_more(text, &record, fault) => of_block(text, declared, &record),
+        Err(fault) if may_hold_more(text, &record, fault) => {
+            let found = of_block(text, declared, &record);
+            let is_formula = || found.is_none() && is_formula(text, &record, fault);
+            if is_formula() {
+                return Some(Err(Fault::formula(Span::of_trimmed(text))));
+            }
+            found
+        }
         Err(_) => None,
     }
+}
+
+/// Whether a text says with letters and signs how something is made of others, and has no numbers of a rotation:
+/// `R = I + sin(θ) K`.
+fn is_formula(text: &str, record: &Record, fault: &Fault) -> bool {
+    let is_unread = matches!(
+        fault.code,
+        ProblemCode::UnknownWord | ProblemCode::UnexpectedCharacter | ProblemCode::Unexpected
+    );
+    let right = text.split_once('=').map_or("", |(_, right)| right);
+    let computes = right.contains([
+        '*', '^', '/', '+', '−', '·', '⊗', '⊙', '∘', '\\', '²', '(', ' ',
+    ]);
+    // `0.6 + 0.8i` has no names.
+    let has_names = right.contains(|mark: char| mark.is_alphabetic() && !"ijke".contains(mark));
+    is_unread && record.most_numbers < 3 && computes && has_names
 }
 
 /// Whether a problem of a text is that it holds more than one rotation and its numbers: words around them,
@@ -166,6 +189,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     }
     let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others);
+    told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) && !has_mark_before(text, found.span) {
         return None;
@@ -226,6 +250,7 @@ fn beside_plain(
     };
     let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others(&read, &attitude));
+    told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     let is_more = same.is_none() || !told.is_empty();
     is_more.then(|| Ok(telling(attitude, told)))

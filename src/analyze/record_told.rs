@@ -1,9 +1,11 @@
 //! What is told of a block besides its rotation: other descriptions of it, and what stands beside it.
 
 use crate::analyze::attitude::Attitude;
+use crate::analyze::numbers::nearest_off_rad;
 use crate::analyze::plain_numbers::plain as plain_number;
 use crate::contract::{Beside, BesideQuantity, Fact, Form, FoundInText, OtherDescription};
 use crate::convention::Direction;
+use crate::problem::Span;
 use crate::text::{Record, RecordRotation, What};
 use nalgebra::Vector3;
 
@@ -15,16 +17,31 @@ pub(crate) const SAME_WITHIN_DEG: f64 = 0.75;
 pub(crate) fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {
     let mut told = Vec::new();
     for (other, differs_by_deg) in others {
-        told.push(description(text, other, *differs_by_deg));
+        told.push(description(text, &other.label, other.span, *differs_by_deg));
+    }
+    told
+}
+
+/// What is told of angles without a sequence: whether they are those of the attitude in any of them.
+pub(crate) fn loose_angles(text: &str, record: &Record, attitude: &Attitude) -> Vec<Fact> {
+    let mut told = Vec::new();
+    for angles in &record.angles {
+        let off_rad = nearest_off_rad(angles.numbers, angles.unit, &attitude.rotation);
+        told.push(description(
+            text,
+            &angles.label,
+            angles.span,
+            off_rad.to_degrees(),
+        ));
     }
     told
 }
 
 /// That the text holds the rotation a second time, or another one.
-fn description(text: &str, other: &RecordRotation, differs_by_deg: f64) -> Fact {
+fn description(text: &str, label: &str, span: Span, differs_by_deg: f64) -> Fact {
     let description = OtherDescription {
-        label: named(&other.label),
-        text: closed(&text[other.span.start..other.span.end]),
+        label: named(label),
+        text: closed(&text[span.start..span.end]),
         differs_by_deg: plain_number(differs_by_deg),
     };
     if differs_by_deg > SAME_WITHIN_DEG {

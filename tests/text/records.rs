@@ -45,6 +45,18 @@ fn a_second_description_is_compared() {
     );
 }
 
+/// Angles of which the sequence is not told are looked for in all of them.
+#[wasm_bindgen_test(unsupported = test)]
+fn angles_without_a_sequence_are_compared() {
+    // About moving x, y, z the quaternion above has other angles.
+    let text = format!("quaternion: {W_FIRST}\neuler: 12.5 33.75 -61.2");
+    let agrees = |note: &Note| matches!(&note.fact, Fact::SecondDescription(other) if other.label.as_deref() == Some("euler"));
+    assert!(notes(&text).iter().any(agrees), "{:?}", notes(&text));
+    let text = format!("quaternion: {W_FIRST}\neuler xyz (deg): 12.5 33.75 -51.2");
+    let disagrees = |note: &Note| matches!(&note.fact, Fact::DescriptionsDisagree(_)) && note.stops;
+    assert!(notes(&text).iter().any(disagrees), "{:?}", notes(&text));
+}
+
 /// Where the declared order disagrees with the angles and the other one does not, it is a button.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_order_that_agrees_with_the_angles_is_offered() {
@@ -248,6 +260,20 @@ fn words_around_numbers_refuse_them() {
     ];
     for text in refused {
         assert_eq!(problem(&text).code, ProblemCode::OtherQuantity, "{text}");
+    }
+}
+
+/// A formula has no numbers to read, whatever sign of it is the first that is not known.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_formula_is_told() {
+    for text in [
+        "R = I + sin(θ)K + (1-cos θ)K²",
+        "q = q1 * q2",
+        "C(q) = (2 q4^2 - 1) I - 2 q4 [q×] + 2 q q^T",
+        r"R_{ij} = \frac{1}{2} \delta_{ij}",
+    ] {
+        let problem = problem(text);
+        assert_eq!(problem.code, ProblemCode::Formula, "{text}");
     }
 }
 

@@ -130,6 +130,18 @@ impl<'t> Quantities<'t> {
         rows
     }
 
+    /// How many numbers stand together, or have names together, at most.
+    pub(crate) fn most_numbers(&self) -> usize {
+        let mut most = 0;
+        for group in &self.groups {
+            most = most.max(group.numbers.len());
+        }
+        for named in &self.named {
+            most = most.max(named.members.len());
+        }
+        most
+    }
+
     /// With what is said behind them in their lines.
     pub(crate) fn take_remarks(&mut self, text: &'t str) {
         let behind = |end: usize| {

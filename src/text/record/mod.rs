@@ -127,13 +127,27 @@ pub(crate) struct Beside {
     pub(crate) is_in_world: bool,
 }
 
+/// Three Euler angles of which no sequence is told.
+#[derive(Clone, Debug)]
+pub(crate) struct LooseAngles {
+    pub(crate) label: String,
+    pub(crate) span: Span,
+    pub(crate) numbers: [f64; 3],
+    /// As far as it is told.
+    pub(crate) unit: Option<AngleUnit>,
+}
+
 /// What was found in a text.
 #[derive(Debug)]
 pub(crate) struct Record {
     pub(crate) rotations: Vec<RecordRotation>,
     pub(crate) beside: Vec<Beside>,
+    /// Euler angles of which no sequence is told.
+    pub(crate) angles: Vec<LooseAngles>,
     /// How many quantities stand in the text: numbers that stand together, or that have names together.
     pub(crate) quantities: usize,
+    /// How many numbers stand together, or have names together, at most.
+    pub(crate) most_numbers: usize,
     /// The rows of a file where there are several.
     pub(crate) rows: Vec<Span>,
     /// The names above them.
@@ -248,7 +262,9 @@ pub(crate) fn record_of(
     let mut record = Record {
         rotations: Vec::new(),
         beside: Vec::new(),
+        angles: Vec::new(),
         quantities: quantities.groups.len() + quantities.named.len(),
+        most_numbers: quantities.most_numbers(),
         rows,
         head,
         unknown_orientation: unknown_orientation(&quantities),
@@ -280,6 +296,14 @@ impl Record {
                     label: found.label,
                     numbers,
                     is_in_world,
+                });
+            }
+            Made::Angles(numbers, unit) => {
+                return self.angles.push(LooseAngles {
+                    label: found.label,
+                    span: found.span,
+                    numbers,
+                    unit,
                 });
             }
             Made::Nothing => return,

@@ -214,6 +214,7 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             let angles = Angles::new("ZYX", Unit::BySize);
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
+        (3, Some(Role::Euler)) => three.map_or(none, |three| vec![Made::Angles(three, said.unit)]),
         (3, Some(Role::RotationVector)) => {
             let unit = said
                 .unit

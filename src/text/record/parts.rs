@@ -43,6 +43,8 @@ pub(crate) enum Made {
     /// Where the body is, in the world.
     Centre([f64; 3]),
     Scale([f64; 3]),
+    /// Euler angles of which no sequence is told.
+    Angles([f64; 3], Option<AngleUnit>),
     Nothing,
 }
 

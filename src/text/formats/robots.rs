@@ -114,11 +114,20 @@ pub(crate) const ROBOTS: &[Format] = &[
             &[Part::Skip(2)],
         ])],
     },
-    // `POS(1000, 200, 300, -56.5, 99.4, 110.3, '')`: about moving z, y, z, degrees (Comau PDL2, POSITION).
+    // `POS(1, 2, 3, w, p, r, 'FUT000')`: flip, up and front, with the turns, are FANUC's (KAREL, POSITION).
+    Format {
+        id: "fanuc-wpr",
+        name: "FANUC",
+        marks: &["~POS(", "~'FU|~'FD|~'NU|~'ND|~'F U|~'F D|~'N U|~'N D"],
+        order: None,
+        fields: &[Field::Under("POS", &[Part::Position, FIXED_XYZ])],
+    },
+    // `POS(1000, 200, 300, -56.5, 99.4, 110.3, '')`: about moving z, y, z, degrees (Comau PDL2, POSITION); the
+    // flags of its string are S, E and W.
     Format {
         id: "comau-euler",
         name: "Comau",
-        marks: &["~POS(|comau|pdl2"],
+        marks: &["~POS(|comau|pdl2", "~'')|~'S|~'E|~'W|comau|pdl2"],
         order: None,
         fields: &[
             Field::Under("POS", &[Part::Position, ZYZ]),

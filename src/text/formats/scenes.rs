@@ -52,6 +52,25 @@ pub(crate) const SCENES: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[Field::Under("cframe", &[Part::Position, Part::Rows])],
     },
+    // `<RotationAxis>0 0 1 90</RotationAxis>`: degrees (OpenRAVE, XML format).
+    Format {
+        id: "openrave",
+        name: "OpenRAVE",
+        marks: &["<rotationaxis"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under(
+            "RotationAxis",
+            &[Part::AxisAngle(Unit::Always(Degrees))],
+        )],
+    },
+    // `"unitQuaternion": [x, y, z, w]` (CZML).
+    Format {
+        id: "cesium",
+        name: "CZML",
+        marks: &["~\"unitQuaternion\""],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
     // `axis angle`, radians (VRML, X3D, Webots: SFRotation).
     Format {
         id: "x3d-vrml-rotation",

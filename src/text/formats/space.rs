@@ -15,6 +15,17 @@ pub(crate) const SPACE: &[Format] = &[
             &[Part::Skip(1), Part::Quaternion(Some(ScalarFirst))],
         )],
     },
+    // `GMAT Sat.Q4 = 0.9;`: Q4 is the scalar (GMAT, user guide, Spacecraft Attitude).
+    Format {
+        id: "gmat",
+        name: "GMAT",
+        marks: &["gmat"],
+        order: None,
+        fields: &[Field::Named(
+            "q1 q2 q3 q4",
+            &[Part::Quaternion(Some(ScalarLast))],
+        )],
+    },
     // The keyword above the rows says where the scalar is (STK, attitude file).
     Format {
         id: "stk-attitude-a",

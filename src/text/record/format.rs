@@ -130,6 +130,8 @@ pub(crate) enum Letters {
     AllMove,
     /// None of them, as in Blender.
     AllFixed,
+    /// Whatever they are: the name of a call has its own sequence, as `RotationYawPitchRoll` about y, x, z.
+    Ignored,
 }
 
 impl Angles {

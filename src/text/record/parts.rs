@@ -160,10 +160,10 @@ pub(crate) fn quaternion(
 }
 
 fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRotation> {
-    let sequence: EulerSequence = match (said.sequence, said.letters) {
-        (Some(sequence), _) => sequence,
-        (None, Some(letters)) => told_sequence(letters, angles.letters)?,
-        (None, None) => angles.sequence.parse().ok()?,
+    let sequence: EulerSequence = match (angles.letters, said.sequence, said.letters) {
+        (Letters::Ignored, ..) | (_, None, None) => angles.sequence.parse().ok()?,
+        (_, Some(sequence), _) => sequence,
+        (_, None, Some(letters)) => told_sequence(letters, angles.letters)?,
     };
     let places = match angles.places {
         Places::Listed([one, two, three]) => [one, two, three].map(usize::from),
@@ -191,7 +191,7 @@ fn told_sequence(written: &str, letters: Letters) -> Option<EulerSequence> {
         return None;
     }
     let frame = match (letters, sequence.frame) {
-        (Letters::CapitalsMove, frame) => frame,
+        (Letters::CapitalsMove | Letters::Ignored, frame) => frame,
         (Letters::AllMove, _) | (Letters::SmallMove, EulerFrame::Extrinsic) => {
             EulerFrame::Intrinsic
         }

@@ -105,6 +105,11 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         "lefthanded lefthand lhs lefthandedness leftcoordinates",
         LabelWord::LeftHanded,
     ),
+    // What leads to the camera.
+    (
+        "viewmatrix viewmat",
+        LabelWord::Direction(Direction::WorldToBody),
+    ),
     (
         "inv inverse inverted minus1",
         LabelWord::Derived(Derived::Inverse),
@@ -146,7 +151,7 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ("elements", LabelWord::Elements),
     (
         "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q \
-         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading",
+         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading modelview",
         LabelWord::Rotation,
     ),
     (

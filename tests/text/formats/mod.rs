@@ -10,6 +10,7 @@ mod cameras;
 mod devices;
 mod engines;
 mod files;
+mod graphics;
 mod plain;
 mod robots;
 mod ros;

@@ -244,6 +244,18 @@ const PRINTED: &[Printed] = &[
         ],
         position: Some([-0.088, 1.874, -1.333]),
     },
+    Printed {
+        format: Some("FANUC"),
+        library: None,
+        text: "POS(310.5, -120.25, 95, -56.5, 39.4, 110.3, 'FUT000')",
+        rotation: [
+            0.342967548749,
+            -0.498326045475,
+            -0.196012838607,
+            0.771766402487,
+        ],
+        position: Some([310.5, -120.25, 95.0]),
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -191,6 +191,30 @@ const PRINTED: &[Printed] = &[
         ],
         position: Some([0.316, -0.637, -0.734]),
     },
+    Printed {
+        format: Some("OpenRAVE"),
+        library: None,
+        text: "<Body name=\"base\">\n  <Translation>0.9 -0.5 0.3</Translation>\n  <RotationAxis>0.36 0.48 -0.8 75.5</RotationAxis>\n</Body>",
+        rotation: [
+            0.790689573744,
+            0.220398220812,
+            0.293864294417,
+            -0.489773824028,
+        ],
+        position: Some([0.9, -0.5, 0.3]),
+    },
+    Printed {
+        format: Some("CZML"),
+        library: None,
+        text: "\"orientation\": {\n  \"unitQuaternion\": [0.231455, -0.612372, 0.433013, 0.619657]\n}",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -52,6 +52,18 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("GMAT"),
+        library: None,
+        text: "GMAT Sat.Q1 = 0.231455;\nGMAT Sat.Q2 = -0.612372;\nGMAT Sat.Q3 = 0.433013;\nGMAT Sat.Q4 = 0.619657;",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

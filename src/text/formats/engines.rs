@@ -48,6 +48,37 @@ pub(crate) const ENGINES: &[Format] = &[
         order: None,
         fields: &[Field::OnlyNamed("p y r", &[ROTATOR])],
     },
+    // `FRotator(pitch, yaw, roll)` (Unreal).
+    Format {
+        id: "unreal",
+        name: "Unreal",
+        marks: &["~FRotator("],
+        order: None,
+        fields: &[Field::Under("FRotator", &[ROTATOR])],
+    },
+    // `Quaternion.AngleAxis(30f, new Vector3(0, 1, 0))`: degrees (Unity).
+    Format {
+        id: "unity",
+        name: "Unity",
+        marks: &["~Quaternion.AngleAxis("],
+        order: Some(ScalarLast),
+        fields: &[Field::AngleThenVector(Unit::Always(Degrees))],
+    },
+    // `Basis.from_euler(Vector3(x, y, z))`: radians, Ry Rx Rz unless an order is given (Godot).
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &["~EULER_ORDER_"],
+        order: None,
+        fields: &[Field::Under("from_euler", &[Part::Skip(3)])],
+    },
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &["~Basis.from_euler(|~Quaternion.from_euler(Vector3("],
+        order: None,
+        fields: &[Field::Under("from_euler", &[Y_X_Z])],
+    },
     // `rotation = Quaternion(x, y, z, w)` among the properties of a node (Godot, text of a scene).
     Format {
         id: "godot",

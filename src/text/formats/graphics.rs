@@ -9,7 +9,33 @@ use crate::text::record::format::{Angles, DECLARED_ONLY, Field, Format, Letters,
 const YAW_PITCH_ROLL: Part =
     Part::Euler(Angles::new("YXZ", Unit::Always(Radians)).lettered(Letters::Ignored));
 
+/// The angles about x, y and z, moving, in the order that is told or x, y, z.
+const THREE_EULER: Part = Part::Euler(
+    Angles::new("XYZ", Unit::Usually(Radians))
+        .by_axis()
+        .lettered(Letters::AllMove),
+);
+
+/// Moving z, y, x, radians, unless a sequence is told.
+const MATLAB_EULER: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Radians)));
+
 pub(crate) const GRAPHICS: &[Format] = &[
+    // `<mesh rotation={[x, y, z]}>`: moving x, y, z, radians (React Three Fiber).
+    Format {
+        id: "three",
+        name: "React Three Fiber",
+        marks: &["~rotation={["],
+        order: None,
+        fields: &[Field::Under("rotation", &[THREE_EULER])],
+    },
+    // `camera.rotation.set(x, y, z, 'YXZ')`: no other library sets an order so (three.js).
+    Format {
+        id: "three",
+        name: "three.js",
+        marks: &["~.rotation.set(", "three|~'X|~'Y|~'Z|~\"X|~\"Y|~\"Z"],
+        order: None,
+        fields: &[Field::Under("rotation", &[THREE_EULER])],
+    },
     // `<group quaternion={[x, y, z, w]} />` (React Three Fiber: `Quaternion.set`).
     Format {
         id: "three",
@@ -51,15 +77,7 @@ pub(crate) const GRAPHICS: &[Format] = &[
         name: "three.js",
         marks: &["_order|iseuler|isquaternion|isobject3d"],
         order: Some(ScalarLast),
-        fields: &[Field::NamedUnder(
-            "Euler|rotation",
-            "x y z",
-            &[Part::Euler(
-                Angles::new("XYZ", Unit::Usually(Radians))
-                    .by_axis()
-                    .lettered(Letters::AllMove),
-            )],
-        )],
+        fields: &[Field::NamedUnder("Euler|rotation", "x y z", &[THREE_EULER])],
     },
     // `rotation.toArray()` prints the angles about x, y, z and the order (three.js).
     Format {
@@ -67,14 +85,7 @@ pub(crate) const GRAPHICS: &[Format] = &[
         name: "three.js",
         marks: &["rotation", "toarray|three"],
         order: None,
-        fields: &[Field::Under(
-            "toArray|rotation",
-            &[Part::Euler(
-                Angles::new("XYZ", Unit::Usually(Radians))
-                    .by_axis()
-                    .lettered(Letters::AllMove),
-            )],
-        )],
+        fields: &[Field::Under("toArray|rotation", &[THREE_EULER])],
     },
     // `new HeadingPitchRoll(h, p, r)`: Rz(−h) Ry(−p) Rx(r), radians (CesiumJS).
     Format {
@@ -172,5 +183,66 @@ pub(crate) const GRAPHICS: &[Format] = &[
         marks: &["~Vec3(|~Affine3A|~Transform {", "~Quat("],
         order: Some(ScalarLast),
         fields: &[],
+    },
+    // `eul2quat([z y x])`, radians; `axang2rotm([x y z angle])` (MATLAB, Robotics System Toolbox).
+    Format {
+        id: "matlab-robotics",
+        name: "MATLAB",
+        marks: &["eul2quat|eul2rotm|eul2tform|axang2quat|axang2rotm|axang2tform"],
+        order: Some(ScalarFirst),
+        fields: &[
+            Field::Under("eul2quat|eul2rotm|eul2tform", &[MATLAB_EULER]),
+            Field::Under(
+                "axang2quat|axang2rotm|axang2tform",
+                &[Part::AxisAngle(Unit::Always(Radians))],
+            ),
+        ],
+    },
+    // `quaternion([z y x], 'eulerd', 'ZYX', 'frame')`, degrees; with `'euler'` radians (MATLAB).
+    Format {
+        id: "matlab-quaternion-frame",
+        name: "MATLAB",
+        marks: &["~'eulerd'", "~'frame'"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under(
+            "quaternion",
+            &[Part::Euler(Angles::new("ZYX", Unit::Always(Degrees)))],
+        )],
+    },
+    Format {
+        id: "matlab-quaternion-frame",
+        name: "MATLAB",
+        marks: &["~'euler'", "~'frame'"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under("quaternion", &[MATLAB_EULER])],
+    },
+    // `Quaternion.CreateFromYawPitchRoll(yaw, pitch, roll)` (.NET, System.Numerics).
+    Format {
+        id: "dotnet",
+        name: ".NET",
+        marks: &["createfromyawpitchroll"],
+        order: None,
+        fields: &[Field::Under("CreateFromYawPitchRoll", &[YAW_PITCH_ROLL])],
+    },
+    // `glRotatef(angle, x, y, z)` (OpenGL), `actor.GetOrientationWXYZ()` (VTK): degrees.
+    Format {
+        id: "opengl",
+        name: "OpenGL",
+        marks: &["glrotatef|glrotated"],
+        order: None,
+        fields: &[Field::Under(
+            "glRotatef|glRotated",
+            &[Part::AngleAxis(Unit::Always(Degrees))],
+        )],
+    },
+    Format {
+        id: "vtk",
+        name: "VTK",
+        marks: &["getorientationwxyz|rotatewxyz"],
+        order: None,
+        fields: &[Field::Under(
+            "GetOrientationWXYZ|RotateWXYZ",
+            &[Part::AngleAxis(Unit::Always(Degrees))],
+        )],
     },
 ];

@@ -46,6 +46,7 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("r00 r01 r02 r10 r11 r12 r20 r21 r22", &[Part::Rows]),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("q0 qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qc q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qs q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),

@@ -22,7 +22,9 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "kuka-abc",
         name: "KUKA",
-        marks: &["e6pos|kuka|krl|pos act|~FRAME|base data|tool data|e6axis"],
+        marks: &[
+            "e6pos|kuka|krl|pos act|~FRAME|base data|tool data|e6axis|~LIN {|~PTP {|~SLIN {|~SPTP {|~LIN_REL {|~} C_DIS|~} C_PTP",
+        ],
         order: None,
         fields: &[Field::Named("a b c", &[ZYX])],
     },
@@ -78,6 +80,14 @@ pub(crate) const ROBOTS: &[Format] = &[
             Field::Named("q1 q2 q3 q4", &[Part::Quaternion(Some(ScalarFirst))]),
             Field::Groups(&[&[Part::Position], &[Part::Quaternion(Some(ScalarFirst))]]),
         ],
+    },
+    // `OrientZYX(z, y, x)`: degrees about moving z, y, x, as of `EulerZYX` (ABB RAPID).
+    Format {
+        id: "abb-quaternion",
+        name: "ABB RAPID",
+        marks: &["orientzyx"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under("OrientZYX", &[ZYX])],
     },
     // `MovePose(x, y, z, alpha, beta, gamma)`: about moving x, y, z, degrees (Mecademic).
     Format {
@@ -185,6 +195,14 @@ pub(crate) const ROBOTS: &[Format] = &[
             Field::Named("u v w", &[ZYX]),
             Field::Named("a b c", &[ZYX]),
         ],
+    },
+    // `XY(x, y, z, u, v, w) /R /A /NF` (EPSON SPEL+).
+    Format {
+        id: "robots-rzyx",
+        name: "EPSON",
+        marks: &["~XY(", "~) /R|~) /L"],
+        order: None,
+        fields: &[Field::Under("XY", &[Part::Position, ZYX])],
     },
     // Moving x, y, z, degrees (a vision vendor's table).
     Format {

@@ -31,6 +31,14 @@ pub(crate) const ROS: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[],
     },
+    // `Orientation  x; y; z; w` of a row of a display (RViz, tree of TF).
+    Format {
+        id: "ros-geometry-msgs",
+        name: "RViz",
+        marks: &["~Orientation\t|~Orientation ", "~; "],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
     // `(trans, rot) = listener.lookupTransform(…)` (tf, listener.py).
     Format {
         id: "tf-transformations",
@@ -47,18 +55,19 @@ pub(crate) const ROS: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[],
     },
-    // `r.as_quat()` gives x, y, z, w unless it is told otherwise (SciPy, Rotation).
+    // `r.as_quat()` gives x, y, z, w unless it is told otherwise (SciPy, Rotation); what holds the call may put
+    // them in another order.
     Format {
         id: "scipy-scalar-first",
         name: "SciPy",
-        marks: &["as_quat", "~scalar_first=True|~scalar_first = True"],
+        marks: &["~.as_quat(scalar_first=True)\n"],
         order: Some(ScalarFirst),
         fields: &[],
     },
     Format {
         id: "scipy",
         name: "SciPy",
-        marks: &["as_quat"],
+        marks: &["~.as_quat()\n|~.as_quat() = |~.as_quat(): "],
         order: Some(ScalarLast),
         fields: &[],
     },

@@ -180,7 +180,7 @@ impl Meaning {
         // Of a line that was typed at a prompt no two words are one name.
         let derived = key
             .split(|mark: char| !mark.is_alphanumeric() && !"_.'ᵀ".contains(mark))
-            .any(is_derived)
+            .any(|name| is_derived(name) && !name.contains(WITH_COVARIANCE))
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));
@@ -262,6 +262,9 @@ impl Meaning {
         .filter(|role| !(*role == Role::Matrix && first == Some("r")))
     }
 }
+
+/// A type of ROS that has a covariance beside what it names.
+const WITH_COVARIANCE: &str = "WithCovariance";
 
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {

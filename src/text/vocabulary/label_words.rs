@@ -154,6 +154,11 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
          rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading modelview",
         LabelWord::Rotation,
     ),
+    // The attitude of Basilisk.
+    (
+        "sigmabn",
+        LabelWord::Quantity("three modified Rodrigues parameters"),
+    ),
     (
         "rgb rgba rgbw bgr bgra argb hsv hsl color colors colour colours albedo tint diffuse specular \
          emissive emission",

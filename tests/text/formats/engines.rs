@@ -232,6 +232,42 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("Unreal"),
+        library: None,
+        text: "SetActorRotation(FRotator(-27.2f, 114.5f, 43.6f));",
+        rotation: [
+            0.41476042707,
+            -0.378888252893,
+            -0.185468424536,
+            0.806237522977,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("Unity"),
+        library: None,
+        text: "Quaternion.AngleAxis(139.78f, new Vector3(0.3378f, 0.4335f, -0.8354f))",
+        rotation: [
+            0.343823592217,
+            0.317217787156,
+            0.407086769486,
+            -0.784498932476,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("Godot"),
+        library: None,
+        text: "basis = Basis.from_euler(Vector3(-0.476, 1.329, -1.05))",
+        rotation: [
+            0.734871373558,
+            -0.460968766161,
+            0.425550620052,
+            -0.257640312687,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -143,6 +143,30 @@ const PRINTED: &[Printed] = &[
         ],
         position: Some([0.5, -1.5, 2.25]),
     },
+    Printed {
+        format: None,
+        library: None,
+        text: "q0 = -0.612372 qx = 0.231455 qy = 0.433013 qz = 0.619657",
+        rotation: [
+            -0.612357934536,
+            0.231449683751,
+            0.433003054201,
+            0.619642767209,
+        ],
+        position: None,
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "QUAT (W X Y Z) =  -6.12372D-01  2.31455D-01  4.33013D-01  6.19657D-01",
+        rotation: [
+            -0.612357934536,
+            0.231449683751,
+            0.433003054201,
+            0.619642767209,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

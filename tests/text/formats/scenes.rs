@@ -215,6 +215,42 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "double3 xformOp:translate = (0.5, -1.5, 2.25)\nfloat3 xformOp:rotateZXY = (-42.0612, 156.8808, 128.7781)\nuniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateZXY\"]",
+        rotation: [
+            -0.236194846086,
+            0.793526688483,
+            0.460128197893,
+            0.320639097509,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "float3 xformOp:rotateZYX = (-144.9421, -13.6222, -89.5845)",
+        rotation: [
+            0.291909903556,
+            -0.646770825726,
+            -0.69243065363,
+            -0.130444996489,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "Gf.Rotation(Gf.Vec3d(-0.19667269, 0.70103258, 0.68547296), 119.236424)",
+        rotation: [
+            0.505759580517,
+            -0.169664508891,
+            0.604762910408,
+            0.591340023449,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -10,7 +10,9 @@ mod number;
 mod word;
 
 use crate::problem::Span;
-use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
+use crate::text::record::scan::lexemes::{
+    element, index, is_checksum, name, part_of_pi, prompt, row_label,
+};
 use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.
@@ -253,6 +255,9 @@ impl<'t> Scanner<'t> {
                 self.at += rest.find('\n').unwrap_or(rest.len());
             }
             _ if first.is_whitespace() => self.at += first.len_utf8(),
+            '$' if let Some((length, value)) = part_of_pi(rest) => {
+                self.push(Mark::Number(value), length);
+            }
             '0'..='9' => self.number(0),
             '.' if second.is_ascii_digit() => self.number(0),
             '+' | '-' | '−' => self.sign(first),

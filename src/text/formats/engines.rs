@@ -90,6 +90,14 @@ pub(crate) const ENGINES: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[],
     },
+    // `[x|y|z|w]` (libGDX, `Quaternion.toString`).
+    Format {
+        id: "libgdx",
+        name: "libGDX",
+        marks: &["touching-bars"],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
     // `llGetRot() = <x, y, z, s>` (Second Life, LSL).
     Format {
         id: "lsl",

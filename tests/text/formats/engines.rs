@@ -268,6 +268,18 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("libGDX"),
+        library: None,
+        text: "rotation: [0.231455|-0.612372|0.433013|0.619657]",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

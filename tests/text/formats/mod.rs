@@ -11,6 +11,7 @@ mod devices;
 mod engines;
 mod files;
 mod graphics;
+mod left_open;
 mod plain;
 mod robots;
 mod ros;

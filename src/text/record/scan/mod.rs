@@ -1,5 +1,8 @@
 //! Any text to tokens, whatever language it is of: what is not understood is passed over, nothing fails.
 
+// Bars.
+mod bars;
+
 // What the beginning of a text is.
 mod lexemes;
 
@@ -360,26 +363,6 @@ impl<'t> Scanner<'t> {
         let after = self.rest()[length..].trim_start_matches(' ');
         matches!(last, Some(Mark::Number(_)))
             && after.starts_with(|first: char| first.is_ascii_digit() || first == '.')
-    }
-
-    /// A bar divides two things of a line; at its ends it is the frame of a matrix.
-    fn bar(&mut self) {
-        let is_frame = self.rest()[1..]
-            .trim_start_matches([' ', '\t', '\r'])
-            .starts_with('\n')
-            || self.rest()[1..].trim_start().is_empty()
-            || matches!(
-                self.tokens.last(),
-                Some(Token {
-                    mark: Mark::Line(_) | Mark::Label,
-                    ..
-                })
-            );
-        if is_frame {
-            self.at += 1;
-        } else {
-            self.push(Mark::Bar, 1);
-        }
     }
 
     fn operator(&mut self, first: char) {

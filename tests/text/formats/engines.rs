@@ -280,6 +280,18 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("Unity"),
+        library: None,
+        text: "Instantiate(prefab, new Vector3(0.5f, -1.5f, 2.25f), Quaternion.Euler(new Vector3(12.5f, -71.25f, 33f)));",
+        rotation: [
+            0.756730979887,
+            -0.0796013773745,
+            -0.580304736726,
+            0.290289953896,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

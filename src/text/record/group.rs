@@ -275,7 +275,9 @@ fn number(member: &Member<'_>) -> Option<f64> {
 fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
     let (mut numbers, mut rows) = pure(&members[0])?;
     let mut count = 1;
-    if rows.len() == 1 {
+    // What follows a call of three numbers is something else: `RollPitchYaw(0.1, 0.2, 0.3), [1, 2, 3]`.
+    let is_call = members[0].is_call && numbers.len() == 3;
+    if rows.len() == 1 && !is_call {
         for next in &members[1..] {
             if next.kind != Kind::Scope || !next.key.is_empty() || next.follows_bar {
                 break;

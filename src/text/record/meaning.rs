@@ -200,7 +200,7 @@ impl Meaning {
         // Of a line that was typed at a prompt no two words are one name.
         let derived = key
             .split(|mark: char| !mark.is_alphanumeric() && !"_.'ᵀ".contains(mark))
-            .any(is_derived)
+            .any(|name| is_derived(name) && !name.contains(WITH_COVARIANCE))
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));
@@ -296,6 +296,9 @@ fn order_in_prose(words: &[String]) -> Option<ComponentOrder> {
         _ => None,
     }
 }
+
+/// A type of ROS that has a covariance beside what it names.
+const WITH_COVARIANCE: &str = "WithCovariance";
 
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {

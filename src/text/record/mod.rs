@@ -69,6 +69,7 @@ mod table;
 mod turns;
 
 use crate::convention::angle::AngleUnit;
+use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
@@ -214,10 +215,15 @@ pub(crate) fn record_of(
     }
     quantities.take_remarks(text);
     let mut settings = Settings::of(&quantities.values);
+    let is_sequence = |span: Span| text[span.start..span.end].parse::<EulerSequence>().is_ok();
     // `degrees='1'`
     for named in &quantities.named {
         for number in &named.members {
             match number.name.as_str() {
+                // `Sequence = '321'`
+                "sequence" if is_sequence(number.span) => {
+                    settings.letters = Some(text[number.span.start..number.span.end].to_owned());
+                }
                 "order" | "layout" | "sequence" => settings.is_doubtful |= number.value >= 100.0,
                 "first" => settings.is_doubtful = true,
                 "degrees" if number.value == 1.0 => settings.unit = Some(AngleUnit::Degrees),

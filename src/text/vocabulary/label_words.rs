@@ -111,6 +111,11 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         "lefthanded lefthand lhs lefthandedness leftcoordinates clockwise",
         LabelWord::LeftHanded,
     ),
+    // What leads to the camera.
+    (
+        "viewmatrix viewmat",
+        LabelWord::Direction(Direction::WorldToBody),
+    ),
     (
         "inv inverse inverted minus1",
         LabelWord::Derived(Derived::Inverse),
@@ -158,8 +163,13 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ("elements", LabelWord::Elements),
     (
         "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q \
-         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading",
+         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading modelview",
         LabelWord::Rotation,
+    ),
+    // The attitude of Basilisk.
+    (
+        "sigmabn",
+        LabelWord::Quantity("three modified Rodrigues parameters"),
     ),
     (
         "rgb rgba rgbw bgr bgra argb hsv hsl color colors colour colours albedo tint diffuse specular \

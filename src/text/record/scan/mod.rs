@@ -1,5 +1,8 @@
 //! Any text to tokens, whatever language it is of: what is not understood is passed over, nothing fails.
 
+// Bars.
+mod bars;
+
 // What the beginning of a text is.
 pub(crate) mod lexemes;
 
@@ -10,7 +13,9 @@ mod number;
 mod word;
 
 use crate::problem::Span;
-use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
+use crate::text::record::scan::lexemes::{
+    element, index, is_checksum, name, part_of_pi, prompt, row_label,
+};
 use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.
@@ -253,6 +258,9 @@ impl<'t> Scanner<'t> {
                 self.at += rest.find('\n').unwrap_or(rest.len());
             }
             _ if first.is_whitespace() => self.at += first.len_utf8(),
+            '$' if let Some((length, value)) = part_of_pi(rest) => {
+                self.push(Mark::Number(value), length);
+            }
             '0'..='9' => self.number(0),
             '.' if second.is_ascii_digit() => self.number(0),
             '+' | '-' | '−' => self.sign(first),
@@ -368,26 +376,6 @@ impl<'t> Scanner<'t> {
         let after = self.rest()[length..].trim_start_matches(' ');
         matches!(last, Some(Mark::Number(_)))
             && after.starts_with(|first: char| first.is_ascii_digit() || first == '.')
-    }
-
-    /// A bar divides two things of a line; at its ends it is the frame of a matrix.
-    fn bar(&mut self) {
-        let is_frame = self.rest()[1..]
-            .trim_start_matches([' ', '\t', '\r'])
-            .starts_with('\n')
-            || self.rest()[1..].trim_start().is_empty()
-            || matches!(
-                self.tokens.last(),
-                Some(Token {
-                    mark: Mark::Line(_) | Mark::Label,
-                    ..
-                })
-            );
-        if is_frame {
-            self.at += 1;
-        } else {
-            self.push(Mark::Bar, 1);
-        }
     }
 
     fn operator(&mut self, first: char) {

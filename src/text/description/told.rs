@@ -240,7 +240,9 @@ impl<'t> Told<'t> {
         remarks: &[Comment<'t>],
     ) -> Result<Self, Fault> {
         let mut told = Self::default();
-        told.take_label(label, span, &[]);
+        // `view = Matrix4`: the type behind a name is no word of it.
+        let name = label.split('=').next().unwrap_or(label);
+        told.take_label(name, span, &[]);
         // What it names in a block was used there.
         told.label_order = None;
         told.take_comments(remarks, Wanted::Quaternion)?;

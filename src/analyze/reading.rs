@@ -8,12 +8,20 @@ use crate::problem::fault::Fault;
 #[cfg(feature = "whole")]
 use crate::problem::is_too_long;
 use crate::problem::{Field, Problem, Wanted};
+#[cfg(feature = "whole")]
+use crate::text::in_known_notation;
 use crate::text::mend::unit;
 use crate::text::mend::with_suggestion;
 
 impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        #[cfg(feature = "whole")]
+        let known = (!is_too_long(text))
+            .then(|| in_known_notation(text))
+            .flatten();
+        #[cfg(feature = "whole")]
+        let text = known.as_deref().unwrap_or(text);
         let attitude = Self::read(text, declared).map_err(|fault| {
             let read = |candidate: &str| Self::plain(candidate, declared).map(drop);
             with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)

@@ -127,6 +127,10 @@ pub(crate) mod mend;
 #[cfg(feature = "whole")]
 mod formats;
 
+// LaTeX, and JSON with words.
+#[cfg(feature = "whole")]
+mod notation;
+
 // Tokens to a rotation: which description they are.
 mod readers;
 
@@ -145,14 +149,20 @@ pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
 pub(crate) use crate::text::description::told::Told;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::description::told::is_for_rows;
 use crate::text::description::told::{Layout, check_plain};
 use crate::text::description::{list, quaternion};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::notation::in_known_notation;
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
 use crate::text::vocabulary::Telling;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::vocabulary::comments_of;
 pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::labels::{other_than_rotation, says_nothing};

@@ -106,7 +106,7 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::LeftHanded,
     ),
     (
-        "inv inverse inverted minus1",
+        "inv inverse invert inverted minus1",
         LabelWord::Derived(Derived::Inverse),
     ),
     (

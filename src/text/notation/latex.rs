@@ -72,6 +72,7 @@ pub(super) fn of_latex(text: &str) -> Option<String> {
         text.starts_with('%') && (text.contains(" to world") || text.contains(" to body"));
     let mut bare = String::with_capacity(text.len());
     let mut matrix = 0;
+    let mut last = None;
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
         let begins = |from: &&&str| rest.starts_with(**from);
@@ -88,7 +89,7 @@ pub(super) fn of_latex(text: &str) -> Option<String> {
             bare.push('e');
             (length, written) = (ten.len() + power.len(), power);
         } else if let Some(at) = POWERS.iter().position(|power| rest.starts_with(power)) {
-            let is_of_matrix = bare.trim_end().ends_with(']');
+            let is_of_matrix = last == Some(']');
             let has_lines = bare[matrix..].contains(';') && bare[matrix..].contains(',');
             length = POWERS[at].len();
             written = match () {
@@ -97,7 +98,9 @@ pub(super) fn of_latex(text: &str) -> Option<String> {
                 () => "^",
             };
             matrix = bare.len();
+            last = None;
         }
+        last = written.trim_end().chars().last().or(last);
         bare.push_str(written);
         rest = &rest[length..];
         pad(&mut bare, text.len() - rest.len());

@@ -23,6 +23,7 @@
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
 //! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
 //! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
+//! | LaTeX; JSON with a comment; a test vector | `q = \begin{bmatrix} 0.92 & 0 & 0 & 0.38 \end{bmatrix}^T` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
 //! Without the feature `whole` the calls, what consoles print before a list, and a matrix column by column are
@@ -47,10 +48,11 @@
 //!
 //! A label is read word by word, also `qInv` and `worldToBody`. What it says of an order (`q_scalar_last`) or of
 //! columns (`column_major`, and three.js's `elements`) is used; what names something else than a rotation
-//! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused, and
-//! [`analyze`](fn@crate::analyze) refuses what names another convention or direction than is declared (`q_jpl`,
-//! `world_to_body`). Of a comment the same words count, and a unit for all the angles (`rpy 5 4 3 # deg`). Any
-//! other word says nothing.
+//! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused. A direction
+//! (`world_to_body`) wins over the declared one in [`analyze`](fn@crate::analyze), and with it and an order the product
+//! (`# JPL, world to body`); a product alone (`q_jpl`) is refused where another is declared. Of a comment the same
+//! words count, but for what it says is made "of them", and a unit for all the angles (`rpy 5 4 3 # deg`). Any other
+//! word says nothing.
 //!
 //! # Which sequence
 //!

@@ -102,11 +102,16 @@ impl Attitude {
         declared: Declared,
     ) -> Result<Self, Fault> {
         let span = Span::of_trimmed(text);
-        let (convention, matrix, told_direction) =
+        let (convention, matrix, told_convention) =
             told.directed(&parsed, declared.convention, declared.matrix);
         told.check(&parsed, convention, matrix)?;
-        let told = told_direction
-            .map(|direction| Fact::DirectionFromText(DirectionFromText { direction }))
+        let told = told_convention
+            .map(|told| {
+                Fact::DirectionFromText(DirectionFromText {
+                    direction: told.direction,
+                    handedness: told.handedness,
+                })
+            })
             .into_iter()
             .collect();
         let (form, rotation, unit) = match parsed {

@@ -8,6 +8,8 @@ use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem};
 #[cfg(feature = "whole")]
 use crate::problem::{Wanted, is_too_long};
+#[cfg(feature = "whole")]
+use crate::text::in_known_notation;
 use crate::text::mend::unit;
 use crate::text::mend::with_suggestion;
 #[cfg(feature = "whole")]
@@ -16,6 +18,12 @@ use crate::text::{made_above, marked_label};
 impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
+        #[cfg(feature = "whole")]
+        let known = (!is_too_long(text))
+            .then(|| in_known_notation(text))
+            .flatten();
+        #[cfg(feature = "whole")]
+        let text = known.as_deref().unwrap_or(text);
         let attitude = Self::read(text, declared).map_err(|fault| {
             let read = |candidate: &str| Self::plain(candidate, declared).map(drop);
             with_suggestion(fault, text, &read).in_field(field)

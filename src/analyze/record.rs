@@ -10,8 +10,8 @@ use crate::problem::fault::Fault;
 use crate::problem::{ProblemCode, Span, Wanted, shorten};
 use crate::text::{
     Comment, DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record,
-    RecordRotation, RotationText, RowMarks, Told, made_by_code, made_by_remark,
-    other_than_rotation, record_of, says_nothing,
+    RecordRotation, RotationText, RowMarks, Told, comments_of, is_for_rows, made_by_code,
+    made_by_remark, other_than_rotation, record_of, says_nothing,
 };
 use nalgebra::Matrix3;
 
@@ -113,6 +113,7 @@ fn read_all<'r>(
 ) -> (Vec<Read<'r>>, Option<Fault>) {
     let mut read = Vec::new();
     let mut fault = None;
+    let comments = comments_of(text);
     let is_meant = |found: &&RecordRotation| !found.is_derived && !is_another_quantity(found);
     for found in record.rotations.iter().filter(is_meant) {
         // Its own piece of the text, which may be one of many, and long.
@@ -125,13 +126,13 @@ fn read_all<'r>(
             }
         };
         let parsed = RotationText {
-            rotation: as_declared(found, declared),
+            rotation: as_declared(found, declared, comments.iter().any(is_for_rows)),
             row_marks: match (found.by_columns, found.has_rows) {
                 (true, _) => RowMarks::Columns,
                 (false, true) => RowMarks::Lines,
                 (false, false) => RowMarks::None,
             },
-            told,
+            told: told.with_comments(&comments, Span::of_trimmed(own)),
         };
         match Attitude::of_parsed(parsed, own, declared) {
             Ok(attitude) => read.push((found, attitude)),
@@ -321,13 +322,20 @@ fn is_another_quantity(found: &RecordRotation) -> bool {
 }
 
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
-/// translation in its last row, so it is as it was printed again.
-fn as_declared(found: &RecordRotation, declared: Declared) -> ParsedRotation {
-    let is_for_rows = declared
+/// translation in its last row, so it is as it was printed again; one of which a comment says that it multiplies
+/// rows is the transpose.
+fn as_declared(
+    found: &RecordRotation,
+    declared: Declared,
+    is_told_for_rows: bool,
+) -> ParsedRotation {
+    let is_library_of_rows = declared
         .library
         .is_some_and(|library| library.vectors == VectorLayout::Row);
     match &found.rotation {
-        ParsedRotation::Matrix(matrix) if found.by_columns && is_for_rows => {
+        ParsedRotation::Matrix(matrix)
+            if (found.by_columns && is_library_of_rows) != is_told_for_rows =>
+        {
             ParsedRotation::Matrix(matrix.transpose())
         }
         rotation => rotation.clone(),

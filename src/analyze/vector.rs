@@ -4,6 +4,8 @@ use crate::analyze::attitude::unit_assumed;
 use crate::contract::{Fact, Note};
 use crate::convention::angle::AngleUnit;
 use crate::problem::{Field, Problem};
+#[cfg(feature = "whole")]
+use crate::text::in_known_notation;
 use crate::text::mend::{unit, with_suggestion};
 use crate::text::parse_vector;
 use nalgebra::Vector3;
@@ -19,6 +21,10 @@ impl TypedVector {
     /// The vector that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str) -> Result<Self, Problem> {
         let field = Field::Vector;
+        #[cfg(feature = "whole")]
+        let known = in_known_notation(text);
+        #[cfg(feature = "whole")]
+        let text = known.as_deref().unwrap_or(text);
         let vector = parse_vector(text).map_err(|fault| {
             let read = |candidate: &str| parse_vector(candidate).map(drop);
             with_suggestion(fault, text, &read).in_field(field)

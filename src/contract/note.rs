@@ -2,10 +2,10 @@
 
 #[cfg(feature = "whole")]
 use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription};
-use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
+use crate::convention::{Direction, Handedness};
 use crate::problem::Field;
 use crate::problem::suggestion::{Suggestion, Suggestions, suggestions};
 use serde::{Deserialize, Serialize};
@@ -89,8 +89,8 @@ pub enum Fact {
     NearlyHalfTurn(NearlyHalfTurn),
     /// Some number is beyond what a double can hold and is left out.
     OutOfRange(OutOfRange),
-    /// The text tells which frame's coordinates the numbers take to which, and it is not the declared
-    /// direction.
+    /// The text tells which frame's coordinates the numbers take to which, and perhaps whose product they
+    /// have, and it is not what is declared.
     DirectionFromText(DirectionFromText),
     /// Only the count of the numbers says that they are a rotation: their label says nothing of one.
     RotationAssumed(RotationAssumed),
@@ -211,6 +211,8 @@ pub struct OrderFromText {
 pub struct DirectionFromText {
     /// The direction that was used.
     pub direction: Direction,
+    /// The product that was used, where the text tells another one than is declared.
+    pub handedness: Option<Handedness>,
 }
 
 /// The data of [`Fact::RotationAssumed`].

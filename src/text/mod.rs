@@ -23,6 +23,7 @@
 //! | Euler angles | `ZYX 30° 20° 10°`, `3-2-1 30 20 10`, `intrinsic zyx …`, `sxyz …`, `rpy 0.1 0.2 0.3` |
 //! | | `roll=10deg pitch=20deg yaw=30deg`, `R.from_euler('ZYX', [30, 20, 10], degrees=True)` |
 //! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
+//! | LaTeX; JSON with a comment; a test vector | `q = \begin{bmatrix} 0.92 & 0 & 0 & 0.38 \end{bmatrix}^T` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
 //! | a block that a program printed | see "Whole blocks" |
@@ -58,10 +59,11 @@
 //!
 //! A label is read word by word, also `qInv` and `worldToBody`. What it says of an order (`q_scalar_last`) or of
 //! columns (`column_major`, and three.js's `elements`) is used; what names something else than a rotation
-//! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused, and
-//! [`analyze`](fn@crate::analyze) refuses what names another convention or direction than is declared (`q_jpl`,
-//! `world_to_body`). Of a comment, and of what is said behind numbers in their line (`(scalar last)`), the same words
-//! count, and a unit for all the angles (`rpy 5 4 3 # deg`). Marks on a name (`q⁻¹`, `Rᵀ`, `2q`) and the code above
+//! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused. A direction
+//! (`world_to_body`) wins over the declared one in [`analyze`](fn@crate::analyze), and with it and an order the product
+//! (`# JPL, world to body`); a product alone (`q_jpl`) is refused where another is declared. Of a comment, and of what
+//! is said behind numbers in their line (`(scalar last)`), the same words count, but for what it says is made "of
+//! them", and a unit for all the angles (`rpy 5 4 3 # deg`). Marks on a name (`q⁻¹`, `Rᵀ`, `2q`) and the code above
 //! numbers that printed them (`>>> R.T`) refuse them where they make something else of the rotation. Any other word
 //! says nothing.
 //!
@@ -140,6 +142,10 @@ pub(crate) mod mend;
 #[cfg(feature = "whole")]
 mod formats;
 
+// LaTeX, and JSON with words.
+#[cfg(feature = "whole")]
+mod notation;
+
 // Tokens to a rotation: which description they are.
 mod readers;
 
@@ -158,10 +164,14 @@ pub(crate) use crate::text::description::list::only_numbers;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
 pub(crate) use crate::text::description::told::Told;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::description::told::is_for_rows;
 use crate::text::description::told::{Layout, check_plain};
 use crate::text::description::{list, quaternion};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::notation::in_known_notation;
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::record::{
@@ -171,6 +181,8 @@ pub(crate) use crate::text::record::{
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::Comment;
 use crate::text::vocabulary::Telling;
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::vocabulary::comments_of;
 pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::vocabulary::labels::{other_than_rotation, says_nothing};

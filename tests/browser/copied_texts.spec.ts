@@ -7,9 +7,18 @@ import * as THREE from "three";
 import { analyze, describeConvention, initSync, presets } from "../../pkg/quatlas.js";
 import { columnValues, declaredValues, eulerValue, turnValues } from "../../www/copy/values.ts";
 import { preview, written } from "../../www/copy/write.ts";
-import type { Convention, Describe, EulerAxes, EulerFrame, ReadReport } from "../../www/engine.ts";
+import type {
+  Convention,
+  Describe,
+  Direction,
+  EulerAxes,
+  EulerFrame,
+  PrintedMatrix,
+  ReadReport,
+} from "../../www/engine.ts";
 import type { Copied } from "../../www/model/copied.ts";
 import { type CodeFormat, canSay, formats } from "../../www/model/copy_formats.ts";
+import { copiedWords } from "../../www/words/copy/values.ts";
 
 const root = new URL("../../", import.meta.url);
 initSync({ module: readFileSync(new URL("pkg/quatlas_bg.wasm", root)) });
@@ -48,6 +57,8 @@ function values(): Record<string, Copied> {
     hamilton: columns.hamilton.quaternion,
     jpl: columns.jpl.quaternion,
     "hamilton-conjugate": columns.hamilton.conjugate,
+    "jpl-conjugate": columns.jpl.conjugate,
+    opposite: turn.opposite,
     yoosefian: declaredValues(read(numbers, yoosefian), describe).quaternion,
     active: declaredValues(read(numbers, active), describe).quaternion,
     "norm-2": columnValues(read("2 0 0 0", hamilton).hamilton, describe).quaternion,
@@ -55,6 +66,14 @@ function values(): Record<string, Copied> {
     "tiny-part": columnValues(read("1 1e-9 -2.5e-12 0", hamilton).hamilton, describe).quaternion,
     matrix: columns.hamilton.matrix,
     "jpl-matrix": columns.jpl.matrix,
+    "jpl-inverse-matrix": columns.jpl.inverseMatrix,
+    // For row vectors, as DirectXMath has it.
+    "row-matrix": {
+      kind: "matrix",
+      symbol: "M",
+      rows: report.jpl.matrix,
+      does: copiedWords.endMatrix["as-printed"]("DirectXMath", { vectors: "row" } as PrintedMatrix),
+    },
     "half-turn": columnValues(halfSpace.hamilton, describe).matrix,
     product: columns.jpl.left,
     vector: columns.jpl.image,
@@ -86,6 +105,12 @@ function rotationOf(value: Copied): readonly (readonly number[])[] | undefined {
   }
 }
 
+/** Which coordinates that matrix takes to which; the one for row vectors is the transpose of the attitude's. */
+function directionOf(name: string, value: Copied): Direction {
+  if (value.kind === "quaternion") return value.hamiltonMatrix;
+  return ["jpl-matrix", "row-matrix"].includes(name) ? "world-to-body" : "body-to-world";
+}
+
 const codeFormats = formats.map(({ id }) => id).filter((id): id is CodeFormat => id !== "numbers");
 
 interface Case {
@@ -93,6 +118,7 @@ interface Case {
   format: CodeFormat;
   text: string;
   rotation?: readonly (readonly number[])[];
+  direction?: Direction;
 }
 
 function cases(): Case[] {
@@ -102,7 +128,8 @@ function cases(): Case[] {
       .map((format) => {
         const rotation = rotationOf(value);
         const text = written(value, format, origin);
-        return { value: name, format, text, ...(rotation && { rotation }) };
+        const expected = rotation && { rotation, direction: directionOf(name, value) };
+        return { value: name, format, text, ...expected };
       }),
   );
 }
@@ -227,7 +254,7 @@ test("a quaternion that was copied is read again as the same attitude", () => {
   ]) {
     const value = values()[name];
     if (value?.kind !== "quaternion") throw new Error(`${name} is no quaternion`);
-    for (const format of codeFormats.filter((id) => !["latex", "test-vector"].includes(id))) {
+    for (const format of codeFormats) {
       // Whatever order is declared: the text tells its own.
       for (const order of ["scalar-first", "scalar-last"] as const) {
         const declared = { ...value.convention, order };

@@ -18,7 +18,7 @@ type Case = (&'static str, Matrix3<f64>, [[f64; 3]; 3]);
 )]
 fn nalgebra_makes_the_rotation_of_the_page() {
     // Written by tests/browser/copied_texts.spec.ts, which compares it with what is copied.
-    let copied: [Case; 18] = include!("../vectors/copied_nalgebra.rs");
+    let copied: [Case; 22] = include!("../vectors/copied_nalgebra.rs");
     for (value, matrix, rows) in copied {
         assert_close(value, &row_major(&matrix), rows.as_flattened(), 1e-15);
     }

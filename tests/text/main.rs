@@ -20,6 +20,7 @@ mod calls;
 mod cases;
 mod comments;
 mod composing;
+mod copies;
 mod euler_angles;
 mod formats;
 mod function_units;

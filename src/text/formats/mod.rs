@@ -5,6 +5,7 @@
 
 mod autopilots;
 mod cameras;
+mod code;
 mod devices;
 mod engines;
 mod files;
@@ -26,6 +27,7 @@ pub(crate) const FORMATS: &[&[Format]] = &[
     cameras::CAMERAS,
     scenes::SCENES,
     engines::ENGINES,
+    code::CODE,
     graphics::GRAPHICS,
     autopilots::AUTOPILOTS,
     devices::DEVICES,

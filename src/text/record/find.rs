@@ -13,6 +13,7 @@ use std::collections::BinaryHeap;
 
 /// All that is understood of the quantities of a text.
 pub(crate) fn found(
+    text: &str,
     quantities: &Quantities<'_>,
     context: &Context,
     plain: &'static [Field],
@@ -39,8 +40,8 @@ pub(crate) fn found(
     all.extend(positions_beside(quantities, &all));
     all.extend(split_quaternion(quantities));
     all.extend(axis_beside_angle(quantities, context));
-    all.extend(vector_then_angle(quantities, context, &fields));
-    let turns = turns(quantities, context);
+    all.extend(vector_then_angle(text, quantities, context, &fields));
+    let turns = turns(text, quantities, context);
     // What several turns make is one rotation.
     let mut spans: Vec<Span> = Vec::new();
     for turn in &turns {

@@ -3,6 +3,7 @@
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::problem::Span;
+use crate::text::record::described::Described;
 use crate::text::record::format::{Field, Format};
 use crate::text::record::meaning::Meaning;
 use crate::text::record::names::{identifiers_of, is_holder, words_of};
@@ -61,6 +62,8 @@ pub(crate) struct Context {
     /// The order that the text tells once for all.
     pub(crate) order: Option<ComponentOrder>,
     pub(crate) unit: Option<AngleUnit>,
+    /// What three numbers are whose name says nothing.
+    pub(crate) described: Option<Described>,
     /// The letters of a sequence: `_order: 'XYZ'`.
     pub(crate) letters: Option<String>,
 }

@@ -56,7 +56,8 @@ impl<'t> Quantities<'t> {
                     let run = run(rest, holder);
                     self.groups.push(Group {
                         is_line: holder == Holder::Lines,
-                        is_computed: run.iter().any(|member| member.is_computed),
+                        is_computed: call == Call::Computed
+                            || run.iter().any(|member| member.is_computed),
                         is_of_call: call != Call::None,
                         is_of_unknown_call: call == Call::Unknown,
                         ..group_of(run, within(member.key), scope)
@@ -72,7 +73,7 @@ impl<'t> Quantities<'t> {
                             rows,
                             span: alike[0].span.to(alike[count - 1].span),
                             scope,
-                            is_computed: alike.iter().any(is_computed),
+                            is_computed: call == Call::Computed || alike.iter().any(is_computed),
                             is_of_call: call.with(member) != Call::None,
                             is_of_unknown_call: call.with(member) == Call::Unknown,
                             has_lengths: alike.iter().any(has_length),
@@ -175,6 +176,8 @@ enum Call {
     None,
     Known,
     Unknown,
+    /// Something is done with what it makes: `from_axis_angle(…).inverse()`.
+    Computed,
 }
 
 impl Call {
@@ -182,6 +185,8 @@ impl Call {
     fn with(self, member: &Member<'_>) -> Self {
         match (self, member.is_call) {
             (own, false) => own,
+            (Self::Computed, true) => Self::Computed,
+            (_, true) if member.is_computed => Self::Computed,
             (Self::Unknown, true) => Self::Unknown,
             (_, true) if may_compute(member.key) => Self::Unknown,
             (_, true) => Self::Known,

@@ -11,6 +11,9 @@ pub(crate) mod format;
 // What stands apart and belongs together.
 mod apart;
 
+// What a comment says that numbers are.
+mod described;
+
 // Quantities to what they are.
 mod find;
 
@@ -73,13 +76,15 @@ use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
+use crate::text::record::described::{Described, order_by_comment};
 use crate::text::record::find::found;
 use crate::text::record::format::{Field, Format};
 use crate::text::record::found::{Context, Found};
 use crate::text::record::group::Quantities;
-use crate::text::record::names::{identifiers_of, words_of};
+use crate::text::record::names::{identifiers_of, is_factor, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
+use crate::text::record::quantity::Group;
 use crate::text::record::remark::{code_above, remark_behind};
 pub(crate) use crate::text::record::remark::{
     made_above, made_by_code, made_by_remark, marked_label,
@@ -232,12 +237,16 @@ pub(crate) fn record_of(
             }
         }
     }
+    let by_comment = Described::by_comment(text);
     let context = Context {
+        described: by_comment
+            .map(|(described, _)| described)
+            .or(settings.described),
         ordering,
         formats: asked,
         declared: declared.order,
-        order: settings.order,
-        unit: settings.unit,
+        order: settings.order.or_else(|| order_by_comment(text)),
+        unit: settings.unit.or(by_comment.and_then(|(_, unit)| unit)),
         letters: settings.letters,
     };
     let sums = sums(text);
@@ -246,7 +255,7 @@ pub(crate) fn record_of(
             .any(|sum| sum.span.start <= span.start && span.end <= sum.span.end)
     };
     quantities.groups.retain(|group| !is_in_sum(group.span));
-    let mut all = found(&quantities, &context, plain);
+    let mut all = found(text, &quantities, &context, plain);
     all.retain(|found| !is_in_sum(found.span));
     // `delta_q: [1, 0, 0, 0] (Roll: 0, …)`: what a line adds in brackets is of the same kind.
     for at in 1..all.len() {
@@ -263,8 +272,7 @@ pub(crate) fn record_of(
         || is_one_line && context.unit.is_some() && all.iter().any(is_quaternion)
         || is_one_line && has_duplicate(&quantities)
         || is_one_line && !text.contains("*^") && is_plain(&quantities, &context)
-        || is_one_line
-            && (!is_balanced(&tokens) || quantities.groups.iter().any(|group| group.is_computed));
+        || is_one_line && (!is_balanced(&tokens) || quantities.groups.iter().any(is_computed));
     let mut record = Record {
         rotations: Vec::new(),
         beside: Vec::new(),
@@ -329,6 +337,11 @@ impl Record {
             code: code_above(text, found.span.start),
         });
     }
+}
+
+/// What stands beside the factors of a product is looked at with all of them (`turns.rs`).
+fn is_computed(group: &Group<'_>) -> bool {
+    group.is_computed && !group.path.iter().any(|key| is_factor(key))
 }
 
 fn is_quaternion(found: &Found) -> bool {

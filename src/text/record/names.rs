@@ -159,3 +159,10 @@ pub(crate) fn is_holder(key: &str) -> bool {
                            np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
     identifiers_of(key).all(|word| is_listed(&word, HOLDERS))
 }
+
+/// Whether a call is a factor of a product of turns, or takes a product: Eigen, nalgebra and glam, MATLAB, `SciPy`.
+pub(crate) fn is_factor(key: &str) -> bool {
+    ["AngleAxis", "from_axis_angle", "axang2", "from_rotvec"]
+        .iter()
+        .any(|name| key.contains(name))
+}

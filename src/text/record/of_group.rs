@@ -4,6 +4,7 @@ use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::OrderSource;
 use crate::text::description::ParsedRotation;
 use crate::text::description::quaternion::ParsedQuaternion;
+use crate::text::record::described::Described;
 use crate::text::record::format::{Angles, Field, Format, Part, Unit};
 use crate::text::record::found::{Asked, Context, Found, label_of, stands_under};
 use crate::text::record::group::Quantities;
@@ -44,7 +45,7 @@ pub(crate) fn of_group(
         Some((made, *format))
     });
     let (made, format) = of_fields.unwrap_or_else(|| {
-        let made = by_name(group, &meaning, said);
+        let made = by_name(group, &meaning, context, said);
         let is_ordered = made.iter().any(|made| {
             matches!(
                 made,
@@ -131,40 +132,55 @@ fn of_groups(
     Some(all)
 }
 
-/// An axis in brackets and the angle behind or before them: `(Vector((0, 0, 1)), 0.5)`.
+/// An axis in brackets and the angle behind or before them, `(Vector((0, 0, 1)), 0.5)`, or a factor of them before
+/// it; no more than one, whose product with others is another rotation.
 pub(crate) fn vector_then_angle(
+    text: &str,
     quantities: &Quantities<'_>,
     context: &Context,
     fields: &[Asked],
 ) -> Option<Found> {
-    for (field, format) in fields {
-        let (unit, at, angle_at) = match field {
-            Field::VectorThenAngle(unit) => (unit, 0, 1),
-            Field::AngleThenVector(unit) => (unit, 1, 0),
-            _ => continue,
-        };
-        for pair in quantities.groups.windows(2) {
-            let (axis, angle) = (&pair[at], &pair[angle_at]);
-            if axis.numbers.len() != 3 || angle.numbers.len() != 1 {
-                continue;
-            }
-            let numbers = [&axis.numbers[..], &angle.numbers[..]].concat();
-            let said = context.said(&Meaning::of(&axis.path));
-            if let Some(mut made) = made(&[Part::AxisAngle(*unit)], &numbers, said) {
-                return Some(Found {
-                    made: made.pop()?,
-                    is_computed: axis.is_computed || angle.is_computed,
-                    format: *format,
-                    ..Found::at(pair[0].span.to(pair[1].span))
-                });
-            }
-        }
+    let (unit, format, angle_first) = fields.iter().find_map(|(field, format)| match field {
+        Field::VectorThenAngle(unit) => Some((*unit, *format, false)),
+        Field::AngleThenVector(unit) => Some((*unit, *format, true)),
+        _ => None,
+    })?;
+    let [one, other] = &quantities.groups[..] else {
+        return None;
+    };
+    let (before, behind) = (&text[..one.span.start], &text[other.span.end..]);
+    let mut beside = (before.bytes().rev()).take_while(|byte| !b"=;\n".contains(byte));
+    let mut statement = behind.bytes().take_while(|byte| !b";\n".contains(byte));
+    if one.is_of_unknown_call
+        || beside.any(|byte| byte == b'*')
+        || statement.any(|byte| b"*.".contains(&byte))
+    {
+        return None;
     }
-    None
+    let is_factor = before.ends_with('(') && text[one.span.end..].starts_with(" *");
+    let (part, numbers) = match (&one.numbers[..], &other.numbers[..]) {
+        (&[angle], &[x, y, z]) if angle_first && !one.is_computed => {
+            (Part::AxisAngle(unit), [x, y, z, angle])
+        }
+        (&[x, y, z], &[angle]) if !angle_first && !one.is_computed => {
+            (Part::AxisAngle(unit), [x, y, z, angle])
+        }
+        (&[factor], &[x, y, z]) if is_factor => (
+            Part::RotationVector(AngleUnit::Radians),
+            [factor * x, factor * y, factor * z, 0.0],
+        ),
+        _ => return None,
+    };
+    let said = context.said(&Meaning::of(&one.path));
+    Some(Found {
+        made: made(&[part], &numbers[..part.count()], said)?.pop()?,
+        format,
+        ..Found::at(one.span.to(other.span))
+    })
 }
 
 /// What numbers are by their name and count.
-fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
+fn by_name(group: &Group<'_>, meaning: &Meaning, context: &Context, said: Said<'_>) -> Vec<Made> {
     let numbers = &group.numbers[..];
     let role = meaning.role;
     let parts = |parts: &[Part]| made(parts, numbers, said);
@@ -210,6 +226,21 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
         return several;
     }
     let three = <[f64; 3]>::try_from(numbers).ok();
+    let says_nothing = matches!(role, None | Some(Role::Vector | Role::Angle | Role::Euler));
+    match (context.described, three) {
+        (Some(Described::Euler(sequence)), Some(_)) if says_nothing => {
+            let said = Said {
+                sequence: Some(sequence),
+                ..said
+            };
+            let angles = Angles::new("ZYX", Unit::BySize);
+            return made(&[Part::Euler(angles)], numbers, said).unwrap_or(none);
+        }
+        (Some(Described::RotationVector), Some(numbers)) if says_nothing => {
+            return vec![Made::Rotation(rotation_vector(numbers, vector_unit(said)))];
+        }
+        _ => {}
+    }
     match (numbers.len(), role) {
         (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
         (3, Some(Role::Scale)) => parts(&[Part::Scale]).unwrap_or(none),
@@ -218,14 +249,9 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
         (3, Some(Role::Euler)) => three.map_or(none, |three| vec![Made::Angles(three, said.unit)]),
-        (3, Some(Role::RotationVector)) => {
-            let unit = said
-                .unit
-                .map_or(UnitSource::Assumed(AngleUnit::Radians), UnitSource::Written);
-            three.map_or(none, |numbers| {
-                vec![Made::Rotation(rotation_vector(numbers, unit))]
-            })
-        }
+        (3, Some(Role::RotationVector)) => three.map_or(none, |numbers| {
+            vec![Made::Rotation(rotation_vector(numbers, vector_unit(said)))]
+        }),
         (4, Some(Role::AxisAngle)) => parts(&[Part::AxisAngle(Unit::BySize)]).unwrap_or(none),
         (4, None | Some(Role::Rotation | Role::Quaternion | Role::Derived | Role::Matrix))
             if !meaning.by_columns =>
@@ -288,6 +314,12 @@ fn several_quaternions(group: &Group<'_>, said: Said<'_>) -> Option<Vec<Made>> {
         several.push(Made::Rotation(quaternion(row, said.order)?));
     }
     Some(several)
+}
+
+/// The unit of a rotation vector whose name tells none.
+fn vector_unit(said: Said<'_>) -> UnitSource {
+    said.unit
+        .map_or(UnitSource::Assumed(AngleUnit::Radians), UnitSource::Written)
 }
 
 /// The only reading that there is.

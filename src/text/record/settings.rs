@@ -4,6 +4,7 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
+use crate::text::record::described::{Described, sequence};
 use crate::text::record::found::Context;
 use crate::text::record::group::Quantities;
 use crate::text::record::names::words_of;
@@ -19,6 +20,8 @@ pub(crate) struct Settings {
     pub(crate) order: Option<ComponentOrder>,
     pub(crate) unit: Option<AngleUnit>,
     pub(crate) letters: Option<String>,
+    /// `"sequence": "zyx", "frame": "intrinsic"`
+    pub(crate) described: Option<Described>,
     /// Whether something was set that is not understood: it may change every number.
     pub(crate) is_doubtful: bool,
 }
@@ -28,6 +31,11 @@ impl Settings {
         let mut settings = Self::default();
         for value in values {
             settings.take(value);
+        }
+        if let Some(frame) = values.iter().find(|value| is_frame(value)) {
+            let letters = settings.letters.as_deref().unwrap_or("");
+            settings.described = sequence(letters, &[frame.text]).map(Described::Euler);
+            settings.is_doubtful |= settings.described.is_none();
         }
         settings
     }
@@ -44,8 +52,6 @@ impl Settings {
         {
             self.is_doubtful = true;
         }
-        // `{"frame": "extrinsic", "roll": …}`, `inverse: ZYX roll=…`.
-        let is_frame = ["intrinsic", "extrinsic"].contains(&value.text);
         // `transpose=true`, `"type": "JPL"`.
         let is_turned = is(&[
             "transpose",
@@ -60,7 +66,8 @@ impl Settings {
                 && value.text.split_whitespace().any(is_derived);
         self.is_doubtful |= is_turned || is_made || value.text.eq_ignore_ascii_case("jpl");
         let is_sequence = value.text.parse::<EulerSequence>().is_ok();
-        self.is_doubtful |= is_frame || (is_sequence && is_derived(value.key));
+        // `inverse: ZYX roll=…`
+        self.is_doubtful |= is_sequence && is_derived(value.key);
         let is_known_order = |text: &str| {
             let lower = text.to_ascii_lowercase();
             order_in_name(text).is_some()
@@ -111,6 +118,11 @@ impl Settings {
             self.letters = is_sequence.then(|| value.text.to_owned());
         }
     }
+}
+
+/// `{"frame": "extrinsic", …}`: with the letters of a sequence beside it.
+fn is_frame(value: &Value<'_>) -> bool {
+    ["intrinsic", "extrinsic"].contains(&value.text)
 }
 
 /// Where a text says that the orientation beside it is not known: `"isTracked": false`, and a covariance that

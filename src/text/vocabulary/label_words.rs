@@ -117,7 +117,7 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::Direction(Direction::WorldToBody),
     ),
     (
-        "inv inverse inverted minus1",
+        "inv inverse invert inverted minus1",
         LabelWord::Derived(Derived::Inverse),
     ),
     (

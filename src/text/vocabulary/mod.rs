@@ -84,6 +84,17 @@ impl<'t> Telling<'t> {
     }
 }
 
+/// What looks like a comment in any text.
+#[cfg(feature = "whole")]
+pub(crate) fn comments_of(text: &str) -> Vec<Comment<'_>> {
+    let mut comments = Vec::new();
+    for span in comments_in(text) {
+        let text = &text[span.start..span.end];
+        comments.push(Comment { text, span });
+    }
+    comments
+}
+
 /// The comments of a text, which stand between its tokens.
 fn comments<'t>(text: &'t str, tokens: &[Token<'_>]) -> Vec<Comment<'t>> {
     let mut comments = Vec::new();

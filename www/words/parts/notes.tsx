@@ -5,6 +5,7 @@ import type {
   ComponentOrder,
   Direction,
   FoundInText,
+  Handedness,
   Note,
   OrderSource,
   OutOfRangeNumber,
@@ -39,6 +40,8 @@ const directionWords: Record<Direction, string> = {
   "body-to-world": "body to world",
   "world-to-body": "world to body",
 };
+
+const productNames: Record<Handedness, string> = { right: "Hamilton", left: "JPL" };
 
 const quantities: Record<BesideQuantity, string> = { position: "position", scale: "scale" };
 
@@ -118,8 +121,12 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
     case "direction-from-text":
       return (
         <>
-          The text says <strong>{directionWords[fact.direction]}</strong>, which is not the declared
-          direction; the text wins.
+          The text says{" "}
+          <strong>
+            {fact.handedness && `${productNames[fact.handedness]}, `}
+            {directionWords[fact.direction]}
+          </strong>
+          , which is not what is declared; the text wins.
         </>
       );
     case "found-in-text":

@@ -1,9 +1,10 @@
 //! What labels and comments tell of all the numbers beside them.
 
+// What is told of products and directions.
+mod conventions;
+
 use crate::convention::angle::AngleUnit;
-use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::ComponentOrder;
-use crate::convention::{Convention, Direction};
 use crate::problem::fault::Fault;
 use crate::problem::{Span, Wanted};
 use crate::text::description::ParsedRotation;
@@ -129,7 +130,11 @@ impl<'t> Told<'t> {
                     }
                     LabelWord::Order(order) => self.take_order(order, comment, wanted)?,
                     LabelWord::Handedness(_) | LabelWord::Direction(_) => {
-                        self.conventions.push(saying);
+                        self.take_convention(word, comment);
+                    }
+                    LabelWord::Rows if is_for_rows(comment) => {
+                        let word = LabelWord::Columns;
+                        self.layout = Some(Saying { word, ..saying });
                     }
                     LabelWord::Columns | LabelWord::Rows if comment.text.contains("major") => {
                         self.layout = Some(saying);
@@ -250,79 +255,21 @@ impl<'t> Told<'t> {
         Ok(told)
     }
 
-    /// What is declared, with the direction that the text tells; whether that is another one.
-    pub(crate) fn directed(
-        &self,
-        rotation: &ParsedRotation,
-        convention: Convention,
-        matrix: MatrixConvention,
-    ) -> (Convention, MatrixConvention, Option<Direction>) {
-        let mut directions = self
-            .conventions
-            .iter()
-            .filter_map(|saying| match saying.word {
-                LabelWord::Direction(direction) => Some(direction),
-                _ => None,
-            });
-        let Some(told) = directions.next() else {
-            return (convention, matrix, None);
-        };
-        let turned_convention = Convention {
-            direction: convention.direction.reversed(),
-            ..convention
-        };
-        let turned_matrix = MatrixConvention {
-            direction: matrix.direction.reversed(),
-            ..matrix
-        };
-        match rotation {
-            ParsedRotation::Quaternion(_) if convention.operator() != told => {
-                (turned_convention, matrix, Some(told))
+    /// The same, with the product and the direction that the comments of a block tell of what stands at a place.
+    #[cfg(feature = "whole")]
+    pub(crate) fn with_comments(mut self, comments: &[Comment<'t>], span: Span) -> Self {
+        for &Comment { text, .. } in comments {
+            for word in meanings_of(text) {
+                self.take_convention(word, &Comment { text, span });
             }
-            ParsedRotation::Matrix(_) if matrix.operator() != told => {
-                (convention, turned_matrix, Some(told))
-            }
-            _ => (convention, matrix, None),
         }
+        self
     }
+}
 
-    /// That no label and no comment names another convention than is declared.
-    ///
-    /// Angles with their axes are always those of the body's attitude: what leads from the world to the body
-    /// is the opposite of them.
-    pub(crate) fn check(
-        &self,
-        rotation: &ParsedRotation,
-        convention: Convention,
-        matrix: MatrixConvention,
-    ) -> Result<(), Fault> {
-        if !cfg!(feature = "whole") {
-            return Ok(());
-        }
-        let direction = match rotation {
-            ParsedRotation::Quaternion(_) => convention.operator(),
-            ParsedRotation::Matrix(_) => matrix.operator(),
-            _ => Direction::BodyToWorld,
-        };
-        for &Saying { word, span, .. } in &self.conventions {
-            let agrees = match word {
-                LabelWord::Handedness(handedness) => handedness == convention.handedness,
-                LabelWord::Direction(told) => told == direction,
-                _ => true,
-            };
-            if !agrees {
-                let what = word.in_words();
-                return Err(match (word, rotation) {
-                    (LabelWord::Handedness(_), _)
-                    | (_, ParsedRotation::Quaternion(_) | ParsedRotation::Matrix(_)) => {
-                        Fault::told_otherwise(span, what)
-                    }
-                    _ => Fault::opposite_attitude(span, what),
-                });
-            }
-        }
-        Ok(())
-    }
+/// Whether a comment says that a matrix is one for row vectors, v M, which for columns is its transpose.
+pub(crate) fn is_for_rows(comment: &Comment<'_>) -> bool {
+    comment.text.contains("multiplies rows")
 }
 
 /// That labels have none but plain words, of which the meaning need not be known.

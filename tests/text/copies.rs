@@ -259,3 +259,26 @@ fn a_product_of_turns_is_read_only_where_it_is_all_there_is() {
         problem(Field::Quaternion, &text);
     }
 }
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_comment_in_json_says_what_one_in_code_would() {
+    const ROWS: &str = r#""R": [[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]]"#;
+    check_read(&[
+        (
+            &format!(r#"{{"comment": "camera to world", {ROWS}, "t": [1, 2, 3]}}"#),
+            "0.36 0.48 -0.8; -0.8 0.6 0; 0.48 0.64 0.6",
+        ),
+        (
+            &format!(r#"{{"comment": "world to camera", {ROWS}, "t": [1, 2, 3]}}"#),
+            "0.36 -0.8 0.48; 0.48 0.6 0.64; -0.8 0 0.6",
+        ),
+        (
+            r#"{"sequence": "zyx", "frame": "intrinsic", "angles": [0.3, 0.2, 0.1], "unit": "rad"}"#,
+            "ZYX 0.3rad 0.2rad 0.1rad",
+        ),
+    ]);
+    problem(
+        Field::Quaternion,
+        &format!(r#"{{"comment": "inverse of the pose", {ROWS}, "t": [1, 2, 3]}}"#),
+    );
+}

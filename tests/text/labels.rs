@@ -106,9 +106,9 @@ fn what_was_made_of_a_rotation_is_no_rotation() {
         ),
         (
             r#"{"comment": "inverse of the attitude", "w": 0.6, "x": 0, "y": 0, "z": 0.8}"#,
-            OtherQuantity,
-            r#" "inverse of the attitude","#,
-            "an inverse",
+            UnknownComponent,
+            r#""comment""#,
+            "may change",
         ),
     ]);
     // A name that only contains such a word, or says nothing.

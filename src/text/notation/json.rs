@@ -2,6 +2,7 @@
 
 use crate::problem::Span;
 use crate::text::notation::latex::pad;
+use crate::text::vocabulary::labels::is_derived;
 
 /// JSON with what it says of itself as a comment, which says of the numbers what one in code would: a copy of the
 /// page, or a test vector of it. Of that only the numbers are left: what was asked (`source`) and what comes out
@@ -15,7 +16,9 @@ pub(super) fn of_json(text: &str) -> Option<String> {
     } else {
         let says = value(text, "\"comment\"", '"')?;
         let behind = says.end + 2;
-        if text.get(says.end + 1..behind) != Some(",") {
+        // What was made of a rotation is refused for its name.
+        let mut words = text[says.start..says.end].split_whitespace();
+        if text.get(says.end + 1..behind) != Some(",") || words.any(is_derived) {
             return None;
         }
         (

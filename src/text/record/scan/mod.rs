@@ -289,6 +289,8 @@ impl<'t> Scanner<'t> {
             // `( x y z <| angle )`, as JOML prints it.
             '<' if second == '|' => self.push(Mark::Comma, 2),
             '<' => self.angle(),
+            // What it says of all the numbers is asked elsewhere.
+            '/' if second == '*' => self.at += rest.find("*/").map_or(2, |end| end + 2),
             '/' if second == '>' => self.push(Mark::TagClose, 2),
             // What was, and what is.
             '=' if second == '>' && self.follows_value() => self.push(Mark::Bar, 2),

@@ -118,7 +118,7 @@ fn read_all<'r>(
     for found in record.rotations.iter().filter(is_meant) {
         // Its own piece of the text, which may be one of many, and long.
         let own = &text[found.span.start..found.span.end];
-        let told = match told_around(text, found) {
+        let told = match told_around(text, found, &comments) {
             Ok(told) => told,
             Err(problem) => {
                 fault = fault.or(Some(problem));
@@ -143,7 +143,11 @@ fn read_all<'r>(
 }
 
 /// What is told by the label of a rotation and by what is said around it.
-fn told_around<'t>(text: &'t str, found: &'t RecordRotation) -> Result<Told<'t>, Fault> {
+fn told_around<'t>(
+    text: &'t str,
+    found: &'t RecordRotation,
+    comments: &[Comment<'t>],
+) -> Result<Told<'t>, Fault> {
     let refused = |span, what| Err(Fault::other_comment(span, what, Wanted::Quaternion));
     if let Some(span) = found.code
         && let Some(what) = made_by_code(&text[span.start..span.end])
@@ -161,7 +165,21 @@ fn told_around<'t>(text: &'t str, found: &'t RecordRotation) -> Result<Told<'t>,
     if let Some(what) = made_by_remark(remark) {
         return refused(span, what);
     }
-    Told::around(&found.label, found.span, &[Comment { text: remark, span }])
+    // What a comment says is told once, with all comments.
+    let mut label = &found.label[..];
+    let mut is_comment = false;
+    for comment in comments {
+        if comment.text.contains(label) {
+            label = "";
+        }
+        is_comment |= comment.span.start <= span.start && span.start < comment.span.end;
+    }
+    let told = Told::around(label, found.span, &[Comment { text: remark, span }])?;
+    if is_comment {
+        Told::around(label, found.span, &[])
+    } else {
+        Ok(told)
+    }
 }
 
 /// The attitude of a text that is read only as a block.

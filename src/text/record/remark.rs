@@ -154,12 +154,20 @@ pub(crate) fn marked_label(text: &str) -> Option<(Span, &'static str)> {
     }
     let mut start = 0;
     for line in text.split('\n') {
-        let end = line.find(['=', ':']).unwrap_or(0);
+        // A comment is told of more than one label.
+        let is_comment = ["#", "//", "%", "--"]
+            .iter()
+            .any(|begin| line.trim_start().starts_with(begin));
+        let end = if is_comment {
+            0
+        } else {
+            line.find(['=', ':']).unwrap_or(0)
+        };
         if let Some(label) = line.get(..end)
             && let Some(what) = made_by_marks(
                 label
                     .trim()
-                    .trim_start_matches(['>', ' ', '#', '"'])
+                    .trim_start_matches(['>', ' ', '"'])
                     .trim_end_matches('"'),
             )
         {
@@ -178,7 +186,8 @@ const MOST_LABELS: usize = 8;
 const LONGEST_FORMULA: usize = 24;
 
 fn made_by_marks(label: &str) -> Option<&'static str> {
-    if label.is_empty() || label.len() > LONGEST_FORMULA {
+    // What stands inside of something else, or of a comment, is none.
+    if label.is_empty() || label.len() > LONGEST_FORMULA || label.contains(['{', '"', '#', '/']) {
         return None;
     }
     let has = |marks: &[&str]| marks.iter().any(|mark| label.contains(mark));
@@ -200,7 +209,7 @@ fn made_by_marks(label: &str) -> Option<&'static str> {
     if has(&["†", "‡", "^*", "\u{304}", "\u{305}"]) || (label.ends_with('*') && is_name(bare)) {
         return Some("a conjugate");
     }
-    if has(&["\u{307}", "\u{308}", "∂", "∇", "/dt"]) {
+    if has(&["\u{307}", "\u{308}", "∂", "∇"]) {
         return Some("a rate or a derivative");
     }
     if label.starts_with('σ') {

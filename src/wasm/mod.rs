@@ -51,6 +51,9 @@ use {
     crate::wasm::request::{COMPOSE, READ},
 };
 
+#[global_allocator]
+static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
+
 /// The tags of a request and of an outcome.
 const VIEW: &str = "view";
 const STATUS: &str = "status";

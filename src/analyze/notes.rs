@@ -67,11 +67,17 @@ impl Attitude {
         facts.extend_from_slice(&self.told);
         let mut notes = Vec::new();
         for fact in facts {
-            notes.push(match fact {
-                Fact::FarFromUnit(_) => {
-                    Note::new(field, fact).suggesting(|| self.meanings.to_vec())
-                }
-                _ => Note::new(field, fact),
+            let asks = match fact {
+                Fact::FarFromUnit(_) => true,
+                #[cfg(feature = "whole")]
+                Fact::DescriptionsDisagree(_) => true,
+                _ => false,
+            };
+            let note = Note::new(field, fact);
+            notes.push(if asks {
+                note.suggesting(|| self.meanings.to_vec())
+            } else {
+                note
             });
         }
         notes
@@ -165,7 +171,7 @@ impl Attitude {
     }
 
     /// The attitude if the same four numbers stood in the other order.
-    fn read_in_other_order(&self) -> Option<Rotation> {
+    pub(crate) fn read_in_other_order(&self) -> Option<Rotation> {
         let convention = self.tagged.convention;
         let other = Convention {
             order: convention.order.other(),

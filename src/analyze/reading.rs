@@ -7,7 +7,7 @@ use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;
 #[cfg(feature = "whole")]
 use crate::problem::is_too_long;
-use crate::problem::{Field, Problem, Wanted};
+use crate::problem::{Field, Problem};
 use crate::text::mend::unit;
 use crate::text::mend::with_suggestion;
 
@@ -16,7 +16,7 @@ impl Attitude {
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
         let attitude = Self::read(text, declared).map_err(|fault| {
             let read = |candidate: &str| Self::plain(candidate, declared).map(drop);
-            with_suggestion(fault, text, Wanted::Quaternion, &read).in_field(field)
+            with_suggestion(fault, text, &read).in_field(field)
         })?;
         let attitude = attitude.with_meanings(text);
         if attitude.unit.is_some() {

@@ -2,7 +2,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::plain_numbers::plain as plain_number;
-use crate::analyze::record_choices::{several_rotations, several_rows};
+use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
     RotationAssumed,
@@ -142,6 +142,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     if others.iter().any(has_another) {
         return Some(Err(several_rotations(record, text)));
     }
+    let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others);
     told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) && !has_mark_before(text, found.span) {
@@ -188,6 +189,7 @@ fn beside_plain(
     } else {
         attitude
     };
+    let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others(&read, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     (!told.is_empty()).then(|| Ok(telling(attitude, told)))
@@ -196,6 +198,31 @@ fn beside_plain(
 fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
     let told = [&attitude.told[..], &told[..]].concat();
     Attitude { told, ..attitude }
+}
+
+/// With the same four numbers in the other order as a text, where the order was only declared and the other
+/// one agrees with what else describes the rotation.
+fn with_other_order(attitude: Attitude, others: &[Read<'_>]) -> Attitude {
+    let Some(parsed) = &attitude.parsed else {
+        return attitude;
+    };
+    let Some(in_other_order) = attitude.read_in_other_order() else {
+        return attitude;
+    };
+    if parsed.order_source != OrderSource::Declared || attitude.is_far_from_unit() {
+        return attitude;
+    }
+    let agrees = |(_, other): &Read<'_>| {
+        let off_rad = in_other_order.angle_to_rad(&other.rotation);
+        off_rad.to_degrees() < SAME_WITHIN_DEG && differs_by_deg(&attitude, other) > SAME_WITHIN_DEG
+    };
+    if !others.iter().any(agrees) {
+        return attitude;
+    }
+    Attitude {
+        meanings: [other_order(parsed)].into(),
+        ..attitude
+    }
 }
 
 fn differs_by_deg(one: &Attitude, other: &Attitude) -> f64 {
@@ -220,7 +247,7 @@ fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {
 fn description(text: &str, other: &RecordRotation, differs_by_deg: f64) -> Fact {
     let description = OtherDescription {
         label: named(&other.label),
-        text: text[other.span.start..other.span.end].to_owned(),
+        text: closed(&text[other.span.start..other.span.end]),
         differs_by_deg: plain_number(differs_by_deg),
     };
     if differs_by_deg > SAME_WITHIN_DEG {
@@ -297,7 +324,24 @@ fn may_be_anything(found: &RecordRotation) -> bool {
 }
 
 fn named(label: &str) -> Option<String> {
-    (!label.is_empty()).then(|| label.to_owned())
+    (!label.is_empty()).then(|| closed(label))
+}
+
+/// A piece of a text with the brackets that it leaves open.
+fn closed(piece: &str) -> String {
+    let mut text = piece.to_owned();
+    let mut open = Vec::new();
+    for mark in piece.chars() {
+        match mark {
+            '(' => open.push(')'),
+            '[' => open.push(']'),
+            '{' => open.push('}'),
+            _ if open.last() == Some(&mark) => drop(open.pop()),
+            _ => {}
+        }
+    }
+    text.extend(open.iter().rev());
+    text
 }
 
 /// Which of several descriptions is read: a quaternion or a matrix before angles, whose sequence may only be
@@ -340,7 +384,7 @@ fn found_in_text(
         Fact::FoundInText(FoundInText {
             format,
             label: named(&found.label),
-            text: text[found.span.start..found.span.end].to_owned(),
+            text: closed(&text[found.span.start..found.span.end]),
             beside: all,
         })
     })

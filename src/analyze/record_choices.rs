@@ -3,8 +3,9 @@
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
-use crate::text::Record;
 use crate::text::mend::written::rotation_text;
+use crate::text::{ParsedQuaternion, ParsedRotation, Record};
+use nalgebra::Quaternion;
 
 /// That there are several rotations, each as a text of its own.
 pub(crate) fn several_rotations(record: &Record, text: &str) -> Fault {
@@ -28,6 +29,18 @@ fn kept(label: String, text: String) -> Suggestion {
         label: Some(label),
         ..Suggestion::new(Remedy::ThisRotation, text)
     }
+}
+
+/// Four numbers by the names that they have in the other order.
+pub(crate) fn other_order(parsed: &ParsedQuaternion) -> Suggestion {
+    let coordinates = &parsed.quaternion;
+    let numbers = [coordinates.w, coordinates.i, coordinates.j, coordinates.k];
+    let [w, x, y, z] = parsed.order.other().components(parsed.order.array(numbers));
+    let text = rotation_text(&ParsedRotation::Quaternion(ParsedQuaternion {
+        quaternion: Quaternion::new(w, x, y, z),
+        ..parsed.clone()
+    }));
+    Suggestion::new(Remedy::OtherOrder, text)
 }
 
 /// That there are several rows of a file: the names above and one of them is a text of its own.

@@ -3,7 +3,7 @@
 use crate::analyze::attitude::unit_assumed;
 use crate::contract::{Fact, Note};
 use crate::convention::angle::AngleUnit;
-use crate::problem::{Field, Problem, Wanted};
+use crate::problem::{Field, Problem};
 use crate::text::mend::{unit, with_suggestion};
 use crate::text::parse_vector;
 use nalgebra::Vector3;
@@ -21,7 +21,7 @@ impl TypedVector {
         let field = Field::Vector;
         let vector = parse_vector(text).map_err(|fault| {
             let read = |candidate: &str| parse_vector(candidate).map(drop);
-            with_suggestion(fault, text, Wanted::Vector, &read).in_field(field)
+            with_suggestion(fault, text, &read).in_field(field)
         })?;
         let is_read = |text: &str| parse_vector(text).is_ok();
         Ok(Self {

@@ -86,8 +86,6 @@ pub enum Remedy {
     WriteZero,
     /// The rotation of no turn stands in place of zeros.
     WriteIdentity,
-    /// Only the upper left three by three numbers of a homogeneous matrix are kept.
-    RotationPart,
     /// The axis that a reflection flips is turned round.
     RestoreAxis,
     /// The rotation that is nearest to the matrix stands in its place.
@@ -104,4 +102,6 @@ pub enum Remedy {
     ThisRotation,
     /// The sequence of the angles is written before them.
     WithSequence,
+    /// The numbers get the names that they have in the other order of components.
+    OtherOrder,
 }

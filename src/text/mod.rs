@@ -25,8 +25,19 @@
 //! | matrix, column by column | `x: 0 1 0, y: -1 0 0, z: 0 0 1`: the turned axes by name; `col(0) …` |
 //! | matrix, row by row | nine numbers, `[[…], […], […]]`, `[0 -1 0; 1 0 0; 0 0 1]`, `R << …` |
 //!
-//! Without the feature `whole` the calls, what consoles print before a list, and a matrix column by column are
+//! | a block that a program printed | see "Whole blocks" |
+//!
+//! Without the feature `whole` blocks, calls, what consoles print before a list, and a matrix column by column are
 //! refused.
+//!
+//! # Whole blocks
+//!
+//! What is not read as one of these, or holds more, is taken apart without a grammar (`record`): runs of numbers and
+//! single numbers by name, each with the names of what holds it. What they are is said by formats (`formats`, data)
+//! whose words stand in the text, then by names, last by the numbers themselves: a matrix that is orthonormal, four
+//! numbers of norm 1. [`analyze`](fn@crate::analyze) tells what stands beside the rotation: position, scale, and
+//! whether a second description agrees with it. Several rotations, rows of a file and what only may be a rotation
+//! are asked; a text whose words say that it is none is refused.
 //!
 //! # Degrees or radians
 //!
@@ -41,7 +52,7 @@
 //!
 //! `unit`, `degrees`, `order` and `format` with a value that is known here count for all the numbers.
 //! What programs print besides (`frame_id`, `dtype`, …) is read past. Any other named word, such as
-//! `layout` or `handedness`, may change the numbers and is refused; so is a text with two rotations.
+//! `layout` or `handedness`, may change the numbers and is refused, but in a whole block.
 //!
 //! # What labels and comments say
 //!
@@ -141,7 +152,7 @@ use crate::convention::order::ComponentOrder;
 use crate::problem::fault::Fault;
 use crate::problem::{MAX_TEXT_BYTES, Span, Wanted, is_too_long};
 pub use crate::text::description::ParsedRotation;
-pub(crate) use crate::text::description::homogeneous::HomogeneousMatrix;
+pub(crate) use crate::text::description::list::only_numbers;
 pub(crate) use crate::text::description::matrix::RowMarks;
 pub use crate::text::description::quaternion::ParsedQuaternion;
 pub(crate) use crate::text::description::told::Told;

@@ -37,6 +37,7 @@ mod problems;
 #[cfg(not(target_arch = "wasm32"))]
 mod properties;
 mod quaternions;
+mod records;
 mod reflections;
 mod reports;
 mod representations;

@@ -10,9 +10,9 @@ use crate::motion::perturbation::exponential;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem, ProblemCode, Span};
 use crate::text::{
-    HomogeneousMatrix, ParsedRotation, RowMarks, parse_quaternion, parse_rotation, parse_vector,
+    ParsedRotation, RowMarks, only_numbers, parse_quaternion, parse_rotation, parse_vector,
 };
-use nalgebra::{Matrix3, Quaternion, Vector3};
+use nalgebra::{Matrix3, Matrix4, Quaternion, Vector3, Vector4};
 
 /// Fewer decimals than these are taken for exact in what went in, such as 0.5.
 pub(crate) const ROUNDED_DECIMALS: usize = 3;
@@ -205,10 +205,11 @@ pub(crate) fn matrix(text: &str) -> Result<Matrix3<f64>, Fault> {
 
 /// The nine numbers of sixteen that are a homogeneous matrix without a translation.
 fn without_translation(text: &str) -> Option<Matrix3<f64>> {
-    let matrix = HomogeneousMatrix::read(text)?;
-    let stays = matrix.translation.iter().all(|number| number.value == 0.0);
-    let entry = |row: usize, column: usize| matrix.rotation[row][column].value;
-    (matrix.has_last_row && stays).then(|| Matrix3::from_fn(entry))
+    let numbers: [f64; 16] = only_numbers(text)?.try_into().ok()?;
+    let matrix = Matrix4::from_row_slice(&numbers);
+    let is_only_turn =
+        matrix.row(3) == Vector4::w().transpose() && matrix.column(3) == Vector4::w();
+    is_only_turn.then(|| matrix.fixed_view::<3, 3>(0, 0).into_owned())
 }
 
 fn turn(text: &str) -> Result<Quaternion<f64>, Fault> {

@@ -5,8 +5,8 @@ use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
 
 const THREE_ROWS: &str = "a rotation matrix: three rows of three numbers";
 
-pub(crate) const UPPER_LEFT: &str =
-    "of a homogeneous matrix keep the upper left 3 by 3, of a pose only its quaternion";
+pub(crate) const POSE: &str =
+    "a pose has a rotation as its upper left 3 by 3, and 0 0 0 1 as its last row";
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const ORDINALS: [&str; 3] = ["first", "second", "third"];
@@ -25,8 +25,8 @@ impl Fault {
     pub(crate) fn matrix_count(span: Span, found: usize) -> Self {
         Self::told(ProblemCode::WrongCount, span, || {
             let (shape, hint) = match found {
-                16 => (" (4 by 4)", UPPER_LEFT),
-                12 => (" (3 by 4)", UPPER_LEFT),
+                16 => (" (4 by 4)", POSE),
+                12 => (" (3 by 4)", POSE),
                 _ => (
                     "",
                     "write the three rows one after the other: 0 -1 0  1 0 0  0 0 1",
@@ -64,7 +64,7 @@ impl Fault {
                 "rows of different lengths: a rotation matrix is 3 by 3".to_owned()
             };
             let hint = match (rows.len(), is_even, first) {
-                (3 | 4, true, 4) => UPPER_LEFT,
+                (3 | 4, true, 4) => POSE,
                 _ => "write the three rows: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]",
             };
             Words::new(message, THREE_ROWS, hint)

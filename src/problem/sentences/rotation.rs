@@ -2,7 +2,7 @@
 
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::{Fault, Words};
-use crate::problem::sentences::matrix::{UPPER_LEFT, numbers};
+use crate::problem::sentences::matrix::{POSE, numbers};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, Wanted, shorten};
 
 /// The words that announce what the numbers are, each with an example.
@@ -374,7 +374,7 @@ fn count_of_rotation(found: usize) -> (&'static str, &'static str) {
             FOUR_OR_NINE,
             "keep the four numbers of a pose's quaternion, without time and position",
         ),
-        12 | 16 => (FOUR_OR_NINE, UPPER_LEFT),
+        12 | 16 => (FOUR_OR_NINE, POSE),
         _ => (
             FOUR_OR_NINE,
             "keep the numbers of one rotation; the decimal sign is a point",

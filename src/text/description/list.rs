@@ -121,17 +121,9 @@ pub(crate) fn sequence_among_numbers(members: &[Entry<'_>]) -> Option<Span> {
     (names_axes && !are_named).then_some(first.node.span)
 }
 
-/// A number of a text, with its sign and as it is written.
-#[derive(Clone, Copy)]
-pub(crate) struct Written {
-    pub(crate) value: f64,
-    pub(crate) start: usize,
-    pub(crate) end: usize,
-}
-
 /// The numbers of a text that holds nothing but numbers, brackets and what separates them, with the name
 /// that a console prints before a list.
-pub(crate) fn only_numbers(text: &str) -> Option<Vec<Written>> {
+pub(crate) fn only_numbers(text: &str) -> Option<Vec<f64>> {
     let tokens = Telling::of(text).ok()?.tokens;
     let mut numbers = Vec::new();
     let mut before: Option<Token<'_>> = None;
@@ -143,11 +135,8 @@ pub(crate) fn only_numbers(text: &str) -> Option<Vec<Written>> {
                 if sign.is_some() && !token.spacing.is_adjacent() {
                     return None;
                 }
-                numbers.push(Written {
-                    value: if is_negative { -value } else { value },
-                    start: sign.take().map_or(token.span.start, |sign| sign.span.start),
-                    end: token.span.end,
-                });
+                numbers.push(if is_negative { -value } else { value });
+                sign = None;
             }
             _ if sign.is_some() => return None,
             // A sign that touches the number before it may be that of a difference.

@@ -18,9 +18,6 @@ pub(crate) mod call;
 // The numbers behind an announcement.
 pub(crate) mod announced_numbers;
 
-// Twelve or sixteen numbers to a homogeneous matrix.
-pub(crate) mod homogeneous;
-
 // A label of numbers.
 pub(crate) mod label;
 

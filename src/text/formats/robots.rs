@@ -62,7 +62,7 @@ pub(crate) const ROBOTS: &[Format] = &[
         ],
         order: None,
         fields: &[Field::Under(
-            "p|tcp|movel|movej|actualtcppose",
+            "p|tcp|actualtcppose",
             &[Part::Position, Part::RotationVector(Radians)],
         )],
     },

@@ -11,6 +11,18 @@ const YAW_PITCH_ROLL: Part = Part::Euler(Angles::new("ZYX", Unit::Always(Radians
 const ROLL_PITCH_YAW: Part = Part::Euler(Angles::new("xyz", Unit::Usually(Radians)));
 
 pub(crate) const ROS: &[Format] = &[
+    // `- Rotation: in Quaternion [x, y, z, w]`, and below it `in RPY (radian)`, `in RPY (degree)` (tf_echo of
+    // geometry, tf2_echo of geometry2: about the fixed axes).
+    Format {
+        id: "tf2",
+        name: "tf_echo",
+        marks: &["~in Quaternion", "~in RPY|~Translation:"],
+        order: Some(ScalarLast),
+        fields: &[
+            Field::Under("quaternion", &[Part::Quaternion(Some(ScalarLast))]),
+            Field::Under("rpy", &[ROLL_PITCH_YAW]),
+        ],
+    },
     // `euler_from_quaternion(q)` prints roll, pitch, yaw in radians (tf.transformations, transformations.py).
     Format {
         id: "tf-transformations",

@@ -110,6 +110,47 @@ pub(crate) fn of_two(
     found
 }
 
+/// The sequences that most angles are in which come without one.
+const USUAL_SEQUENCES: [&str; 4] = ["ZYX", "xyz", "XYZ", "ZXZ"];
+
+/// What angles are called without a word of their sequence.
+const NAMES_OF_ANGLES: [&str; 5] = ["euler", "eul", "angles", "angle", ""];
+
+/// The texts that say in which of the usual sequences three angles are, whose sequence is missing at `place`;
+/// `read` tells whether a text is read.
+pub(crate) fn with_sequences(
+    text: &str,
+    place: Span,
+    read: &dyn Fn(&str) -> Result<(), Fault>,
+) -> Vec<Suggestion> {
+    let mut found = Vec::new();
+    let (Some(before), Some(after)) = (text.get(..place.start), text.get(place.end..)) else {
+        return found;
+    };
+    let after = after.trim_start_matches([':', '=', ' ', '\t']);
+    // `Euler angles (deg): 10 20 30`
+    let mut unit = "";
+    for word in text[place.start..place.end].split(|mark: char| !mark.is_alphabetic()) {
+        match AngleUnit::named(word) {
+            Some(AngleUnit::Degrees) => unit = " deg",
+            Some(AngleUnit::Radians) => unit = " rad",
+            None if NAMES_OF_ANGLES.contains(&&word.to_ascii_lowercase()[..]) => {}
+            // A word that says something of the sequence contradicts one of these.
+            None => return found,
+        }
+    }
+    for sequence in USUAL_SEQUENCES {
+        let with_sequence = [before, sequence, " ", after.trim_end(), unit].concat();
+        if read(&with_sequence).is_ok() {
+            found.push(Suggestion {
+                label: Some(sequence.to_owned()),
+                ..Suggestion::new(Remedy::WithSequence, with_sequence)
+            });
+        }
+    }
+    found
+}
+
 /// A text to try, and the unit that it has to be read in.
 struct Candidate {
     suggestion: Suggestion,

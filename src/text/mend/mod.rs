@@ -23,12 +23,12 @@ pub(crate) mod unit;
 #[cfg(feature = "whole")]
 pub(crate) mod written;
 
+use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
-use crate::problem::suggestion::{Remedy, Suggestion};
-use crate::problem::{ProblemCode, Wanted};
+use crate::problem::suggestion::Suggestion;
 use crate::text::description::ParsedRotation;
 use crate::text::description::quaternion::ParsedQuaternion;
-use crate::text::mend::meanings::{of_norm, of_two};
+use crate::text::mend::meanings::{of_norm, of_two, with_sequences};
 use crate::text::mend::rewrites::{Rewrite, rewrites};
 use crate::text::mend::typed_numbers::keeps_numbers;
 
@@ -45,7 +45,6 @@ const MOST_TEXTS_OF_A_STEP: usize = 2;
 pub(crate) fn with_suggestion(
     fault: Fault,
     text: &str,
-    wanted: Wanted,
     read: &dyn Fn(&str) -> Result<(), Fault>,
 ) -> Fault {
     if text.len() > LONGEST_TEXT_BYTES {
@@ -55,16 +54,16 @@ pub(crate) fn with_suggestion(
         let Fault { span, .. } = fault;
         return fault.offering(|| of_two(text, span, read));
     }
+    if cfg!(feature = "whole") && fault.code == ProblemCode::UnknownSequence {
+        let Fault { span, .. } = fault;
+        return fault.offering(|| with_sequences(text, span, read));
+    }
     fault.suggesting(|fault| {
-        rewrites(fault.code)
-            .iter()
-            // No vector has such a part.
-            .filter(|(remedy, _)| wanted != Wanted::Vector || *remedy != Remedy::RotationPart)
-            .find_map(|&(remedy, rewrite)| {
-                let rewritten = mended(fault, text, rewrite, read, MOST_STEPS)?;
-                let suggestion = Suggestion::new(remedy, rewritten);
-                keeps_numbers(text, &suggestion).then_some(suggestion)
-            })
+        rewrites(fault.code).iter().find_map(|&(remedy, rewrite)| {
+            let rewritten = mended(fault, text, rewrite, read, MOST_STEPS)?;
+            let suggestion = Suggestion::new(remedy, rewritten);
+            keeps_numbers(text, &suggestion).then_some(suggestion)
+        })
     })
 }
 

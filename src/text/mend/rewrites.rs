@@ -5,8 +5,6 @@ use crate::character::{decorates, plain_character};
 use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::Remedy;
-use crate::text::description::homogeneous::HomogeneousMatrix;
-use crate::text::description::matrix::RowMarks;
 use crate::text::grammar::arithmetic::Linear;
 
 /// The texts to try, of a text and its problem.
@@ -28,10 +26,7 @@ pub(crate) const fn rewrites(code: ProblemCode) -> &'static [(Remedy, Rewrite)] 
             (Remedy::AddSign, added_sign),
         ],
         ProblemCode::UnexpectedEnd => &[(Remedy::RemoveMark, without_last_mark)],
-        ProblemCode::WrongCount => &[
-            (Remedy::DecimalPoints, decimal_points),
-            (Remedy::RotationPart, rotation_part),
-        ],
+        ProblemCode::WrongCount => &[(Remedy::DecimalPoints, decimal_points)],
         ProblemCode::MissingComponent => &[(Remedy::AddZeros, added_zeros)],
         ProblemCode::MixedNames => &[(Remedy::NameNumber, named_number)],
         ProblemCode::MixedUnits => &[(Remedy::SameUnit, same_unit)],
@@ -241,22 +236,6 @@ fn added_sign(fault: &Fault, text: &str) -> Vec<String> {
         return vec![format!("{before} {after}")];
     }
     vec![format!("{before} + {after}")]
-}
-
-/// The nine numbers of the rotation of a homogeneous matrix, as they are written.
-fn rotation_part(_: &Fault, text: &str) -> Vec<String> {
-    let Some(matrix) = HomogeneousMatrix::read(text) else {
-        return Vec::new();
-    };
-    let rows = matrix.rotation.map(|row| {
-        let row = row.map(|number| &text[number.start..number.end]);
-        row.join(" ")
-    });
-    // That rows were assumed is still to be said.
-    vec![rows.join(match RowMarks::of(text) {
-        RowMarks::None => " ",
-        _ => "\n",
-    })]
 }
 
 /// Only what is missing can be added: a name that stands there would stand there twice. The scalar is

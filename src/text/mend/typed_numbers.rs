@@ -25,7 +25,7 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
         | Remedy::RestoreAxis
         | Remedy::NearestRotation => true,
         Remedy::AddZeros => rewritten().starts_with(&typed()),
-        Remedy::RotationPart | Remedy::AsYaw | Remedy::ThisRotation => {
+        Remedy::AsYaw | Remedy::ThisRotation => {
             let mut typed = typed().into_iter();
             rewritten()
                 .iter()
@@ -34,6 +34,7 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
         Remedy::AsQuaternion
         | Remedy::AsAxisAngle
         | Remedy::AsEulerAngles
+        | Remedy::OtherOrder
         | Remedy::WithSequence => rewritten() == typed(),
         Remedy::MatchBrackets
         | Remedy::PlainCharacters

@@ -1,6 +1,6 @@
 //! A rotation that was read as a text that says what its numbers are.
 
-use crate::convention::angle::AngleUnit;
+use crate::convention::angle::{AngleUnit, degrees_in_radians};
 use crate::text::description::ParsedRotation;
 use crate::text::mend::number_text::{exact, exact_list, rows_text};
 use nalgebra::Vector3;
@@ -48,8 +48,23 @@ fn list(before: &str, numbers: &Vector3<f64>, behind: &str) -> String {
 /// An angle behind a space.
 fn angle(angle_rad: f64, unit: AngleUnit) -> String {
     let (number, word) = match unit {
-        AngleUnit::Degrees => (angle_rad.to_degrees(), "deg"),
+        AngleUnit::Degrees => (degrees(angle_rad), "deg"),
         AngleUnit::Radians => (angle_rad, "rad"),
     };
     [" ", &exact(number), word].concat()
 }
+
+/// The angle in degrees as it was written, where few decimals are the same radians: 30.1, not
+/// 30.100000000000001.
+fn degrees(angle_rad: f64) -> f64 {
+    let exact = angle_rad.to_degrees();
+    let rounded = (exact * SHORT_DECIMALS).round() / SHORT_DECIMALS;
+    if degrees_in_radians(rounded) == angle_rad {
+        rounded
+    } else {
+        exact
+    }
+}
+
+/// Ten decimals.
+const SHORT_DECIMALS: f64 = 1e10;

@@ -94,7 +94,7 @@ const ROLES: &[(Role, &str)] = &[
     ),
     (
         Role::Derived,
-        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv",
+        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv delta",
     ),
 ];
 

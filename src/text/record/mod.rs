@@ -213,6 +213,15 @@ pub(crate) fn record_of(
     quantities.groups.retain(|group| !is_in_sum(group.span));
     let mut all = found(&quantities, &context, plain);
     all.retain(|found| !is_in_sum(found.span));
+    // `delta_q: [1, 0, 0, 0] (Roll: 0, …)`: what a line adds in brackets is of the same kind.
+    for at in 1..all.len() {
+        let (before, own) = (all[at - 1].span, all[at].span);
+        let between = text.get(before.end..own.start).unwrap_or("\n");
+        all[at].is_derived |= all[at - 1].is_derived
+            && all[at].label.is_empty()
+            && between.contains('(')
+            && !between.contains('\n');
+    }
     all.extend_from_slice(&sums);
     let is_one_line = !text.trim().contains('\n');
     let is_doubtful = settings.is_doubtful

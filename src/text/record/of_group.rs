@@ -10,6 +10,7 @@ use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
 use crate::text::record::quantity::{Group, own_key};
+use nalgebra::Vector4;
 
 /// Adds what a group is.
 pub(crate) fn of_group(
@@ -59,10 +60,22 @@ pub(crate) fn of_group(
         is_derived: meaning.role == Some(Role::Derived),
         is_computed: group.is_computed || (group.is_of_unknown_call && format.is_none()),
         format,
-        has_rows: format.is_some() || group.rows.len() > 1 || group.numbers.len() != 9,
+        has_rows: format.is_some() || group.rows.len() > 1 || !is_square(group, &made),
         ..Found::at(group.span)
     };
     found.add_parts(made, all);
+}
+
+/// Whether numbers of a matrix may be rows or columns as well: a translation would tell which.
+fn is_square(group: &Group<'_>, made: &[Made]) -> bool {
+    let has_translation = made
+        .iter()
+        .any(|made| matches!(made, Made::Position(numbers) if *numbers != [0.0; 3]));
+    match group.numbers.len() {
+        9 => true,
+        16 => !has_translation,
+        _ => false,
+    }
 }
 
 /// Whether numbers begin a line, with no name before them in it.
@@ -190,6 +203,9 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
     if is_several && numbers.len() >= 9 {
         return none;
     }
+    if let Some(several) = several_quaternions(group, said) {
+        return several;
+    }
     let three = <[f64; 3]>::try_from(numbers).ok();
     match (numbers.len(), role) {
         (3, Some(Role::Position)) => parts(&[Part::Position]).unwrap_or(none),
@@ -243,6 +259,31 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             .unwrap_or(none),
         _ => none,
     }
+}
+
+/// What two decimals change a norm of four numbers by, at most.
+const ROUNDING_OF_TWO_DECIMALS: f64 = 0.01;
+
+/// Rows of four numbers of norm 1 that are no matrix.
+fn several_quaternions(group: &Group<'_>, said: Said<'_>) -> Option<Vec<Made>> {
+    let (rows, rest) = group.numbers.as_chunks::<4>();
+    if rows.len() < 2 || !rest.is_empty() || group.rows.iter().any(|row| *row != 4) {
+        return None;
+    }
+    let is_matrix = |part: Part| made(&[part], &group.numbers, said).is_some();
+    if is_matrix(Part::Homogeneous(16)) || is_matrix(Part::HomogeneousRows(12)) {
+        return None;
+    }
+    let mut several = Vec::new();
+    for row in rows {
+        // Those of a projective matrix may nearly have it.
+        let norm = Vector4::from(*row).norm();
+        if (norm - 1.0).abs() > ROUNDING_OF_TWO_DECIMALS {
+            return None;
+        }
+        several.push(Made::Rotation(quaternion(row, said.order)?));
+    }
+    Some(several)
 }
 
 /// The only reading that there is.

@@ -5,6 +5,30 @@ use wasm_bindgen_test::wasm_bindgen_test;
 
 const PRINTED: &[Printed] = &[
     Printed {
+        format: Some("tf_echo"),
+        library: None,
+        text: "At time 1263248513.809\n- Translation: [2.398, 6.783, -0.120]\n- Rotation: in Quaternion [-0.3974505303, 0.0057871595, 0.8193180082, 0.4131798473]\n            in RPY (radian) [-0.436, 0.716, 2.042]\n            in RPY (degree) [-25.000, 41.000, 117.000]",
+        rotation: [
+            0.413179847314,
+            -0.397450530295,
+            0.005787159465,
+            0.819318008179,
+        ],
+        position: Some([2.398, 6.783, -0.12]),
+    },
+    Printed {
+        format: Some("tf_echo"),
+        library: None,
+        text: "At time 0.0\n- Translation: [0.100, -0.200, 0.300]\n- Rotation: in Quaternion (xyzw) [0.2365599794, 0.1953436584, -0.5114284748, 0.8026961732]\n- Rotation: in RPY (radian) [0.218, 0.589, -1.068]\n- Rotation: in RPY (degree) [12.500, 33.750, -61.200]",
+        rotation: [
+            0.802696173189,
+            0.236559979419,
+            0.195343658385,
+            -0.511428474778,
+        ],
+        position: Some([0.1, -0.2, 0.3]),
+    },
+    Printed {
         format: Some("static_transform_publisher"),
         library: None,
         text: "rosrun tf static_transform_publisher -1.854 2.817 -2.638 -0.734994 -1.146706 0.173511 base_link laser 50",

@@ -106,8 +106,7 @@ fn no_suggestion_changes_a_number_that_was_typed() {
             Remedy::DecimalPoints
             | Remedy::WriteIdentity
             | Remedy::RestoreAxis
-            | Remedy::NearestRotation
-            | Remedy::RotationPart => {}
+            | Remedy::NearestRotation => {}
             _ => prop_assert_eq!(&typed, &offered, "{:?} -> {:?}", text, suggestion),
         }
         let is_read = matches!(answer(field, &suggestion.text), Outcome::Read(_));

@@ -301,7 +301,6 @@ export const remedyWords: Record<Remedy, string> = {
   "same-unit": "Write the unit",
   "write-zero": "Write 0",
   "write-identity": "Write the identity",
-  "rotation-part": "Keep the rotation part",
   "restore-axis": "Flip the axis",
   "nearest-rotation": "Write the nearest rotation",
   "as-quaternion": "A quaternion",
@@ -310,6 +309,7 @@ export const remedyWords: Record<Remedy, string> = {
   "as-euler-angles": "Euler angles",
   "this-rotation": "Read this one",
   "with-sequence": "Write the sequence",
+  "other-order": "Read the other order",
 };
 
 export const fixKey = "Alt+Enter";

@@ -1,0 +1,183 @@
+//! What is told of a block with more than one description of a rotation, and what is asked.
+
+use crate::asked::{self, problems, read, read_request};
+use quatlas::{
+    ComponentOrder, Convention, Fact, Note, OtherDescription, Problem, ProblemCode, Remedy, analyze,
+};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+// Roll 12.5°, pitch 33.75°, yaw −61.2° about the fixed axes x, y, z, by products of quaternions in Python.
+const W_FIRST: &str = "[0.802696173189, 0.236559979419, 0.195343658385, -0.511428474778]";
+const W_LAST: &str = "[0.236559979419, 0.195343658385, -0.511428474778, 0.802696173189]";
+
+fn hamilton() -> Convention {
+    Convention::HAMILTON
+}
+
+fn facts(text: &str, declared: Convention) -> Vec<Fact> {
+    asked::facts(&read(text, "1 0 0", declared))
+}
+
+#[track_caller]
+fn problem(text: &str) -> Problem {
+    problems(analyze(&read_request(text, "1 0 0", hamilton()))).remove(0)
+}
+
+fn notes(text: &str) -> Vec<Note> {
+    read(text, "1 0 0", hamilton()).notes
+}
+
+/// Angles beside a quaternion are compared with it.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_second_description_is_compared() {
+    let text = format!("orientation: {W_FIRST}\nrpy: [12.5deg, 33.75deg, -61.2deg]");
+    let agrees = |note: &Note| matches!(&note.fact, Fact::SecondDescription(OtherDescription { label: Some(label), differs_by_deg, .. }) if label == "rpy" && *differs_by_deg < 1e-9);
+    assert!(notes(&text).iter().any(agrees), "{:?}", notes(&text));
+
+    let text = format!("orientation: {W_FIRST}\nrpy: [12.5deg, 33.75deg, -51.2deg]");
+    let notes = notes(&text);
+    let disagrees = |note: &&Note| matches!(&note.fact, Fact::DescriptionsDisagree(other) if (other.differs_by_deg - 10.0).abs() < 1e-6);
+    let note = notes.iter().find(disagrees).expect("they disagree");
+    assert!(note.stops);
+    assert!(
+        note.suggestions.is_empty(),
+        "the other order is as far away"
+    );
+}
+
+/// Where the declared order disagrees with the angles and the other one does not, it is a button.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_order_that_agrees_with_the_angles_is_offered() {
+    let text = format!("orientation: {W_LAST}\nrpy: [12.5deg, 33.75deg, -61.2deg]");
+    let notes = notes(&text);
+    let disagrees = |note: &&Note| matches!(note.fact, Fact::DescriptionsDisagree(_));
+    let note = notes.iter().find(disagrees).expect("they disagree");
+    assert!(note.stops);
+    let [suggestion] = &note.suggestions[..] else {
+        panic!("{:?}", note.suggestions);
+    };
+    assert_eq!(suggestion.remedy, Remedy::OtherOrder);
+    assert_eq!(
+        suggestion.text,
+        "w=0.802696173189 x=0.236559979419 y=0.195343658385 z=-0.511428474778"
+    );
+
+    let declared = Convention {
+        order: ComponentOrder::ScalarLast,
+        ..hamilton()
+    };
+    let told = facts(&text, declared);
+    assert!(
+        told.iter()
+            .any(|fact| matches!(fact, Fact::SecondDescription(_))),
+        "{told:?}"
+    );
+}
+
+/// What a listener of PX4 adds of the last reset is neither another rotation nor another description.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_difference_is_no_second_description() {
+    let text = format!(
+        "vehicle_attitude\n    q: {W_FIRST} (Roll: 12.5 deg, Pitch: 33.75 deg, Yaw: -61.2 deg)\n    \
+         delta_q_reset: [1.0, 0.0, 0.0, 0.0] (Roll: 0.0 deg, Pitch: -0.0 deg, Yaw: 0.0 deg)\n    \
+         quat_reset_counter: 0"
+    );
+    let told = facts(&text, hamilton());
+    let agree = told
+        .iter()
+        .filter(|fact| matches!(fact, Fact::SecondDescription(_)));
+    assert_eq!(agree.count(), 1, "{told:?}");
+    assert!(
+        !told
+            .iter()
+            .any(|fact| matches!(fact, Fact::DescriptionsDisagree(_))),
+        "{told:?}"
+    );
+}
+
+/// Of several rotations each is a button, which reads it.
+#[wasm_bindgen_test(unsupported = test)]
+fn several_rotations_are_asked() {
+    let text =
+        format!("left: {{quaternion: {W_FIRST}}}\nright: {{quaternion: [0.5, -0.5, 0.5, 0.5]}}");
+    let problem = problem(&text);
+    assert_eq!(problem.code, ProblemCode::SeveralRotations);
+    let texts: Vec<&str> = problem
+        .choices
+        .iter()
+        .map(|choice| &choice.text[..])
+        .collect();
+    assert_eq!(
+        texts,
+        [
+            "w=0.802696173189 x=0.236559979419 y=0.195343658385 z=-0.511428474778",
+            "w=0.5 x=-0.5 y=0.5 z=0.5"
+        ]
+    );
+}
+
+/// Rows of a list are several quaternions, and not a time, a position and one.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_list_of_quaternions_is_asked() {
+    let text = "[[0.8, 0.2, -0.4, 0.4],\n [0.5, -0.5, 0.5, 0.5],\n [0.1, 0.7, -0.5, 0.5]]";
+    let problem = problem(text);
+    assert_eq!(problem.code, ProblemCode::SeveralRotations);
+    let texts: Vec<&str> = problem
+        .choices
+        .iter()
+        .map(|choice| &choice.text[..])
+        .collect();
+    assert_eq!(
+        texts,
+        [
+            "w=0.8 x=0.2 y=-0.4 z=0.4",
+            "w=0.5 x=-0.5 y=0.5 z=0.5",
+            "w=0.1 x=0.7 y=-0.5 z=0.5"
+        ]
+    );
+}
+
+/// Angles without a sequence can be read in those that are usual, in the unit that stands there.
+#[wasm_bindgen_test(unsupported = test)]
+fn usual_sequences_are_offered() {
+    for (text, first) in [
+        ("euler: [10, -20.5, 30]", "ZYX [10, -20.5, 30]"),
+        ("Euler angles (deg): 10 -20.5 30", "ZYX 10 -20.5 30 deg"),
+        ("euler 0.1 -0.2 0.3 rad", "ZYX 0.1 -0.2 0.3 rad"),
+    ] {
+        let problem = problem(text);
+        assert_eq!(problem.code, ProblemCode::UnknownSequence, "{text}");
+        let labels: Vec<_> = problem
+            .choices
+            .iter()
+            .filter_map(|choice| choice.label.as_deref())
+            .collect();
+        assert_eq!(labels, ["ZYX", "xyz", "XYZ", "ZXZ"], "{text}");
+        assert_eq!(problem.choices[0].text, first);
+        assert!(
+            problem
+                .choices
+                .iter()
+                .all(|choice| choice.remedy == Remedy::WithSequence)
+        );
+    }
+}
+
+/// Degrees come back as they were written.
+#[wasm_bindgen_test(unsupported = test)]
+fn degrees_of_a_choice_are_short() {
+    let problem = problem("a: rpy=[32.4, -13.9, -100.4] deg\nb: rpy=[12.5, 33.7, -61.2] deg");
+    assert_eq!(problem.choices[0].text, "xyz 32.4deg -13.9deg -100.4deg");
+}
+
+/// Sixteen numbers in one line are rows or columns; a translation tells which.
+#[wasm_bindgen_test(unsupported = test)]
+fn rows_are_assumed_where_no_translation_tells_them() {
+    let is_assumed = |text: &str| {
+        let assumed = |note: &Note| matches!(note.fact, Fact::RowsAssumed(_)) && note.stops;
+        notes(text).iter().any(assumed)
+    };
+    assert!(is_assumed("0.8 -0.6 0 0 0.6 0.8 0 0 0 0 1 0 0 0 0 1"));
+    assert!(!is_assumed("0.8 -0.6 0 1.5 0.6 0.8 0 0 0 0 1 0 0 0 0 1"));
+    assert!(!is_assumed("0.8 -0.6 0 0\n0.6 0.8 0 0\n0 0 1 0\n0 0 0 1"));
+}

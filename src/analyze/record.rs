@@ -1,7 +1,7 @@
 //! The attitude in a whole block of text: which of its rotations is meant, and what stands beside it.
 
 use crate::analyze::attitude::{Attitude, Declared};
-use crate::analyze::plain_numbers::plain as plain_number;
+use crate::analyze::plain_numbers::{coordinates, plain as plain_number, plain3};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
@@ -362,7 +362,7 @@ fn found_in_text(
 ) -> Option<Fact> {
     let mut all = Vec::new();
     for beside in &record.beside {
-        let numbers = beside.numbers.map(plain_number);
+        let numbers = plain3(beside.numbers);
         let (quantity, body_in_world) = match beside.what {
             What::Scale => (BesideQuantity::Scale, None),
             What::Position if beside.is_in_world => (BesideQuantity::Position, Some(numbers)),
@@ -399,11 +399,11 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
         _ => Direction::BodyToWorld,
     };
     match direction {
-        Direction::BodyToWorld => translation.map(plain_number),
+        Direction::BodyToWorld => plain3(translation),
         Direction::WorldToBody => {
             let body_to_world = attitude.rotation.matrix(Direction::BodyToWorld);
             let origin = -(body_to_world * Vector3::from(translation));
-            [origin.x, origin.y, origin.z].map(plain_number)
+            coordinates(&origin)
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared, DeclaredLibrary};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
-use crate::analyze::plain_numbers::{plain, rows3};
+use crate::analyze::plain_numbers::{plain, plain4, rows3};
 use crate::analyze::record_numbers;
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
@@ -253,7 +253,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
     TranslatedEnd {
         library: library.map(|library| library.id.to_owned()),
         convention: meaning.declared.unwrap_or(meaning.numbers()),
-        array: numbers.to_array().map(plain),
+        array: plain4(numbers.to_array()),
         order: meaning.order,
         constructor_order: library.map_or(Some(meaning.order), |library| library.constructor_order),
         sign: meaning.numbers().component_sign(),

@@ -101,7 +101,11 @@ impl<'r> Members<'r> {
         all: [Choice; COUNT],
         name_of: fn(Choice) -> &'static str,
     ) -> Typed<Choice> {
-        let at = self.place_of_choice(name, &all.map(name_of))?;
+        let mut names = [""; COUNT];
+        for (place, choice) in all.iter().enumerate() {
+            names[place] = name_of(*choice);
+        }
+        let at = self.place_of_choice(name, &names)?;
         all.get(at).copied().ok_or(JsValue::UNDEFINED)
     }
 

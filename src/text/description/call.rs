@@ -226,16 +226,18 @@ impl<'e, 't> RotationCall<'e, 't> {
 
     fn by_names(&self) -> Result<ParsedRotation, Fault> {
         self.check_names(&["axis", "angle", "radians", "degrees"])?;
-        let angles = ["angle", "radians", "degrees"].map(|name| self.named(name));
-        let unit = match angles {
-            [Some(_), None, None] => RADIANS,
-            [None, Some(_), None] => UnitRule::ForAll(AngleUnit::Radians),
-            [None, None, Some(_)] => UnitRule::ForAll(AngleUnit::Degrees),
+        let angles = (
+            self.named("angle"),
+            self.named("radians"),
+            self.named("degrees"),
+        );
+        let (angle, unit) = match angles {
+            (Some(angle), None, None) => (angle, RADIANS),
+            (None, Some(angle), None) => (angle, UnitRule::ForAll(AngleUnit::Radians)),
+            (None, None, Some(angle)) => (angle, UnitRule::ForAll(AngleUnit::Degrees)),
             _ => return Err(self.arguments("axis= and one of degrees=, radians=, angle=")),
         };
-        let angle = angles.into_iter().flatten().next();
-        let (Some(axis), Some(angle), []) = (self.named("axis"), angle, &self.positional[..])
-        else {
+        let (Some(axis), []) = (self.named("axis"), &self.positional[..]) else {
             return Err(self.arguments("axis= and one of degrees=, radians=, angle="));
         };
         let angle = (angle.angle()?, angle.span);
@@ -306,10 +308,11 @@ impl<'e, 't> RotationCall<'e, 't> {
         let (letters, span) = letters.unwrap_or(("XYZ", self.span));
         let sequence = euler_sequence(letters, span, None)?;
         let by_axis = self.three(angles, THREE_ANGLES)?;
-        let angles = sequence.axes.axes().map(|axis| by_axis[axis.index()]);
+        let [one, two, three] = sequence.axes.places();
         if sequence.is_proper() || sequence.frame == EulerFrame::Extrinsic {
             return Err(self.arguments("three angles and three different letters, as in 'XYZ'"));
         }
+        let angles = [by_axis[one], by_axis[two], by_axis[three]];
         euler_angles(sequence, angles, RADIANS)
     }
 

@@ -1,6 +1,7 @@
 //! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
 //! other.
 
+use crate::character::is_digit;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, is_too_long};
 use crate::text::description::list::{
@@ -153,7 +154,7 @@ impl RowMarks {
     }
 
     fn in_layout(text: &str) -> Self {
-        let has_digits = |line: &&str| line.contains(|c: char| c.is_ascii_digit());
+        let has_digits = |line: &&str| line.contains(is_digit);
         let lines = text.split(['\n', ';']).filter(has_digits).count();
         let has_three = |part: &&str| part.split_whitespace().count() == 3;
         let between_commas = text.split(',').filter(has_three).count();

@@ -4,6 +4,7 @@
 //! float suffixes, comments, the dashes of a YAML list. Nothing here knows what
 //! a quaternion is.
 
+use crate::character::{begins_name, is_of_name};
 use crate::convention::angle::AngleUnit;
 use crate::decimal::nearest_double;
 use crate::problem::Span;
@@ -320,14 +321,9 @@ fn mixed_number(before: &[Token<'_>], last: f64, written: &str, spacing: Spacing
     (spacing == Spacing::Apart && is_whole(whole) && !is_divisor).then_some(whole.span)
 }
 
-/// Whether a character continues a name.
-fn is_of_name(character: char) -> bool {
-    character.is_alphanumeric() || character == '_'
-}
-
 /// The length of the name that a text begins with.
 fn name(text: &str) -> usize {
-    if text.starts_with(|first: char| first.is_alphabetic() || first == '_') {
+    if text.starts_with(begins_name) {
         text.find(|next| !is_of_name(next)).unwrap_or(text.len())
     } else {
         0

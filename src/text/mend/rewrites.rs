@@ -1,6 +1,6 @@
 //! The ways in which the text of a problem is rewritten, each as a list of texts to try.
 
-use crate::character::is_space_of_numbers;
+use crate::character::{begins_number, is_digit, is_space_of_numbers};
 use crate::character::{decorates, plain_character};
 use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
@@ -122,7 +122,7 @@ fn groups_digits(text: &str, is_mark: fn(char) -> bool) -> Vec<bool> {
             continue;
         }
         let (before, after) = (&text[..at], &text[at + mark.len_utf8()..]);
-        let rest = before.trim_end_matches(|digit: char| digit.is_ascii_digit());
+        let rest = before.trim_end_matches(is_digit);
         let group = &before[rest.len()..];
         let follow = after.bytes().take_while(u8::is_ascii_digit).count();
         let is_group = rest.ends_with('.') || !group.starts_with('0');
@@ -206,9 +206,8 @@ fn separated_numbers(fault: &Fault, text: &str) -> Vec<String> {
     let Some(written) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
-    let is_between = |(at, sign): &(usize, char)| {
-        is_sign(*sign) && written[..*at].ends_with(|c: char| c.is_ascii_digit() || c == '.')
-    };
+    let is_between =
+        |(at, sign): &(usize, char)| is_sign(*sign) && written[..*at].ends_with(begins_number);
     let separated = written
         .char_indices()
         .find(is_between)

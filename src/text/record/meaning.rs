@@ -1,5 +1,6 @@
 //! What the name of numbers says that they are.
 
+use crate::character::{is_capital, is_digit, is_of_name, parts_words};
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
@@ -101,7 +102,7 @@ const ROLES: &[(Role, &str)] = &[
 /// What a word says.
 fn role_of_word(word: &str) -> Option<Role> {
     // `MLMatrix44`, `vec3`: sizes say nothing.
-    let bare = word.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    let bare = word.trim_end_matches(is_digit);
     let word = if bare == "matrix" { bare } else { word };
     // Four numbers of a vector have an order of their own.
     if word.starts_with("vector4") || word.starts_with("vec4") {
@@ -211,9 +212,7 @@ impl Meaning {
         let words = words_of(key);
         let pairs = words.windows(2);
         // `T` is a transform and `t` a translation; `R` is a matrix.
-        let first = key
-            .split(|mark: char| !mark.is_alphanumeric())
-            .find(|word| !word.is_empty());
+        let first = key.split(parts_words).find(|word| !word.is_empty());
         if first == Some("T") {
             return Some(Role::Matrix);
         }
@@ -243,7 +242,7 @@ impl Meaning {
             word.chars().count() > 1
                 || word == "±"
                 || key
-                    .split(|mark: char| !mark.is_alphanumeric())
+                    .split(parts_words)
                     .any(|own| own.to_ascii_lowercase() == word)
         };
         // `omega_q`, `gyro_q`: another quantity in the same name is what it is.
@@ -266,9 +265,7 @@ impl Meaning {
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {
     match key.split_once('(') {
-        Some((name, _)) if name.ends_with(|last: char| last.is_alphanumeric() || last == '_') => {
-            name
-        }
+        Some((name, _)) if name.ends_with(is_of_name) => name,
         _ => key,
     }
 }
@@ -330,15 +327,13 @@ fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
     }
     let is_euler = words.iter().any(|word| word.starts_with("eul"));
     let letters = key
-        .split(|mark: char| !mark.is_alphanumeric())
+        .split(parts_words)
         .find(|word| word.len() == 3 && word.parse::<EulerSequence>().is_ok())?;
     let sequence: EulerSequence = letters.parse().ok()?;
     match frame {
         Some(frame) => Some(EulerSequence { frame, ..sequence }),
         // Capitals in a name are moving axes; small letters there may be only the style of names.
-        None if is_euler && letters.starts_with(|mark: char| mark.is_ascii_uppercase()) => {
-            Some(sequence)
-        }
+        None if is_euler && letters.starts_with(is_capital) => Some(sequence),
         None => None,
     }
 }

@@ -1,5 +1,6 @@
 //! Names to the words in them, and words that are numbers.
 
+use crate::character::{is_digit, is_of_name};
 use crate::decimal::nearest_double;
 use crate::text::vocabulary::decimal_words::is_decimal;
 use crate::text::vocabulary::is_listed;
@@ -44,7 +45,7 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
 
 /// The names in a key as they are written, in small letters: `CFrame.new` is cframe, new.
 pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
-    key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
+    key.split(|mark| !is_of_name(mark))
         .filter(|name| !name.is_empty())
         .map(str::to_ascii_lowercase)
 }
@@ -90,8 +91,7 @@ pub(crate) fn name_and_stem(key: &str) -> (String, String) {
     }
     words.retain(|word| !is_filler(word));
     // `q[0]` is q0, `matrix[1][2]` and `M12` are m12.
-    let is_place =
-        |word: &str| word.len() == 1 && word.starts_with(|first: char| first.is_ascii_digit());
+    let is_place = |word: &str| word.len() == 1 && word.starts_with(is_digit);
     if is_place(&name) && words.last().is_some_and(|last| is_place(last)) {
         let row = words.pop().unwrap_or_default();
         name = format!("m{row}{name}");

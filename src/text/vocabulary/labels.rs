@@ -3,6 +3,7 @@
 //! A label is a name before a mark, as in `q_wxyz = …` or `worldToBody: …`. A word that stands in none of the
 //! lists says nothing, so that any name may be given to a rotation.
 
+use crate::character::parts_words;
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
@@ -16,7 +17,7 @@ pub(crate) fn words_of(name: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = name;
     loop {
-        rest = rest.trim_start_matches(|character: char| !character.is_alphanumeric());
+        rest = rest.trim_start_matches(parts_words);
         let (word, after) = rest.split_at(end_of_word(rest));
         if word.is_empty() {
             return words;

@@ -1,5 +1,7 @@
 //! What the beginning of a text is, by its characters alone.
 
+use crate::character::{begins_number, is_of_name};
+
 /// How many bytes a date, an index or a list of types has at most.
 const LONGEST: usize = 80;
 
@@ -51,10 +53,7 @@ pub(crate) fn is_checksum(text: &str) -> bool {
 
 /// How many bytes at the start are a name.
 pub(crate) fn name(text: &str) -> usize {
-    text.len()
-        - text
-            .trim_start_matches(|mark: char| mark.is_alphanumeric() || mark == '_')
-            .len()
+    text.len() - text.trim_start_matches(is_of_name).len()
 }
 
 /// How many bytes at the start are types in brackets: names alone, and sizes.
@@ -143,13 +142,13 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
         .into_iter()
         .find_map(|suffix| written.strip_suffix(suffix))
         .unwrap_or(number);
-    let unit = number.trim_start_matches(|mark: char| mark.is_ascii_digit() || mark == '.');
+    let unit = number.trim_start_matches(begins_number);
     let is_exponent = unit.strip_prefix(['e', 'E']).is_some_and(|rest| {
         rest.bytes().all(|byte| byte.is_ascii_digit())
             && (!rest.is_empty() || text[length..].starts_with(['+', '-']))
     });
     let is_unit = |unit: &str| UNITS.contains(&unit);
-    let whole = written.trim_start_matches(|mark: char| mark.is_ascii_digit() || mark == '.');
+    let whole = written.trim_start_matches(begins_number);
     let is_known = unit.is_empty() || is_exponent || is_unit(unit) || is_unit(whole);
     (points > 1 || !is_known).then_some(written.len().max(1))
 }

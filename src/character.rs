@@ -1,5 +1,7 @@
 //! What single characters are: dashes, frames that are drawn, spaces that group digits, what is not seen.
 
+pub(crate) use crate::letter::{is_alphabetic, is_alphanumeric};
+
 /// White space, and what takes no space at all but separates words.
 pub(crate) fn is_blank(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\u{200b}' | '\u{2060}' | '\u{feff}')
@@ -7,17 +9,17 @@ pub(crate) fn is_blank(character: char) -> bool {
 
 /// What stands between words.
 pub(crate) fn parts_words(character: char) -> bool {
-    !character.is_alphanumeric()
+    !is_alphanumeric(character)
 }
 
 /// What a name consists of.
 pub(crate) fn is_of_name(character: char) -> bool {
-    character.is_alphanumeric() || character == '_'
+    is_alphanumeric(character) || character == '_'
 }
 
 /// What a name begins with.
 pub(crate) fn begins_name(character: char) -> bool {
-    character.is_alphabetic() || character == '_'
+    is_alphabetic(character) || character == '_'
 }
 
 /// A digit of ASCII.

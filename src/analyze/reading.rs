@@ -3,6 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared, unit_assumed};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
+use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;
 #[cfg(feature = "whole")]
@@ -46,7 +47,7 @@ impl Attitude {
 #[cfg(feature = "whole")]
 fn may_be_block(text: &str, plain: &Result<Attitude, Fault>) -> bool {
     match plain {
-        Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
+        Ok(_) => text.contains(is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
         Err(_) => !is_too_long(text) && !text.trim().is_empty(),
     }
 }

@@ -3,6 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::plain_numbers::{coordinates, plain as plain_number, plain3};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
+use crate::character::is_alphabetic;
 use crate::contract::{
     Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
     RotationAssumed,
@@ -48,7 +49,7 @@ pub(crate) fn of_record(
 /// other quantities, another notation. A sign in doubt, a sequence that contradicts or a number that is none
 /// stays a problem of the text itself.
 fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
-    let has_words = text.contains(char::is_alphabetic);
+    let has_words = text.contains(is_alphabetic);
     let is_one_line = !text.trim().contains('\n');
     let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
     let is_of_format =

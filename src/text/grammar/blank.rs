@@ -5,7 +5,7 @@
 //! minus, and a character that is not seen joins two numbers into one.
 
 use crate::character::{
-    is_blank, is_drawn, is_drawn_bar, is_drawn_dash, is_space_of_numbers, is_unseen,
+    is_alphabetic, is_blank, is_drawn, is_drawn_bar, is_drawn_dash, is_space_of_numbers, is_unseen,
     is_unseen_break,
 };
 use crate::problem::Span;
@@ -114,7 +114,7 @@ fn white(rest: &str) -> usize {
 /// The length of the sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
 fn reference(rest: &str) -> usize {
     let borrowed = rest.strip_prefix('&').unwrap_or_default();
-    usize::from(borrowed.starts_with(|next: char| next.is_alphabetic() || next == '['))
+    usize::from(borrowed.starts_with(|next: char| is_alphabetic(next) || next == '['))
 }
 
 /// The length of the comment that a text begins with.
@@ -130,7 +130,7 @@ fn comment(rest: &str) -> usize {
     } else {
         0
     };
-    if cfg!(feature = "whole") || !rest[..length].contains(char::is_alphabetic) {
+    if cfg!(feature = "whole") || !rest[..length].contains(is_alphabetic) {
         length
     } else {
         0

@@ -4,7 +4,7 @@
 //! float suffixes, comments, the dashes of a YAML list. Nothing here knows what
 //! a quaternion is.
 
-use crate::character::{begins_name, is_of_name};
+use crate::character::{begins_name, is_alphabetic, is_of_name};
 use crate::convention::angle::AngleUnit;
 use crate::decimal::nearest_double;
 use crate::problem::Span;
@@ -191,7 +191,7 @@ fn unknown_mark(text: &str, start: usize) -> Fault {
     }
     match character {
         '∞' => Fault::infinite(span),
-        '.' if text[span.end..].starts_with(char::is_alphabetic) => Fault::method(span),
+        '.' if text[span.end..].starts_with(is_alphabetic) => Fault::method(span),
         _ if hidden_in_number(text, span).is_some() => Fault::hidden_in_number(span, character),
         _ => Fault::unexpected_character(span, character),
     }

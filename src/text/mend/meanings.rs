@@ -1,6 +1,7 @@
 //! What four numbers may be meant as where their norm is not that of a rotation, or where they are one of
 //! two things, each as a text that says so.
 
+use crate::character::is_alphabetic;
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::OrderSource;
 use crate::problem::Span;
@@ -130,7 +131,7 @@ pub(crate) fn with_sequences(
     let after = after.trim_start_matches([':', '=', ' ', '\t']);
     // `Euler angles (deg): 10 20 30`
     let mut unit = "";
-    for word in text[place.start..place.end].split(|mark: char| !mark.is_alphabetic()) {
+    for word in text[place.start..place.end].split(|mark: char| !is_alphabetic(mark)) {
         match AngleUnit::named(word) {
             Some(AngleUnit::Degrees) => unit = " deg",
             Some(AngleUnit::Radians) => unit = " rad",

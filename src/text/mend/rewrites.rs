@@ -1,6 +1,6 @@
 //! The ways in which the text of a problem is rewritten, each as a list of texts to try.
 
-use crate::character::{begins_number, is_digit, is_space_of_numbers};
+use crate::character::{begins_number, is_alphanumeric, is_digit, is_space_of_numbers};
 use crate::character::{decorates, plain_character};
 use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
@@ -89,7 +89,7 @@ fn matched_brackets(fault: &Fault, text: &str) -> Vec<String> {
 /// Whether a text ends in what takes the next bracket for its operand: a sign, a factor, a function.
 fn binds(before: &str) -> bool {
     let before = before.trim_end();
-    let rest = before.trim_end_matches(|c: char| c.is_alphanumeric() || "_.:".contains(c));
+    let rest = before.trim_end_matches(|c: char| is_alphanumeric(c) || "_.:".contains(c));
     let name = &before[rest.len()..];
     before.ends_with(is_sign) || before.ends_with(is_factor) || Linear::is_function(name)
 }
@@ -193,7 +193,7 @@ fn attached_sign(fault: &Fault, text: &str) -> Vec<String> {
     match (before, sign, after) {
         (Some(before), Some(sign @ ("-" | "−" | "–" | "+")), Some(after))
             if before.len() < fault.span.start
-                && before.ends_with(|c: char| c.is_alphanumeric() || c == '.') =>
+                && before.ends_with(|c: char| is_alphanumeric(c) || c == '.') =>
         {
             vec![format!("{before} {sign}{}", after.trim_start())]
         }

@@ -1,6 +1,8 @@
 //! What the name of numbers says that they are.
 
-use crate::character::{is_capital, is_digit, is_of_name, parts_words};
+use crate::character::{
+    is_alphabetic, is_alphanumeric, is_capital, is_digit, is_of_name, parts_words,
+};
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::ComponentOrder;
@@ -180,7 +182,7 @@ impl Meaning {
         }
         // Of a line that was typed at a prompt no two words are one name.
         let derived = key
-            .split(|mark: char| !mark.is_alphanumeric() && !"_.'ᵀ".contains(mark))
+            .split(|mark: char| !is_alphanumeric(mark) && !"_.'ᵀ".contains(mark))
             .any(is_derived)
             || words
                 .iter()
@@ -362,7 +364,7 @@ fn primed(key: &str) -> Option<EulerSequence> {
             Some((_, count)) if PRIMES.contains(&mark) => {
                 *count += if mark == '″' { 2 } else { 1 }
             }
-            _ if mark.is_alphabetic() => axes.push((mark, 0)),
+            _ if is_alphabetic(mark) => axes.push((mark, 0)),
             _ => {}
         }
     }

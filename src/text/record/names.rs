@@ -1,6 +1,6 @@
 //! Names to the words in them, and words that are numbers.
 
-use crate::character::{is_digit, is_of_name};
+use crate::character::{is_alphabetic, is_alphanumeric, is_digit, is_of_name};
 use crate::decimal::nearest_double;
 use crate::text::vocabulary::decimal_words::is_decimal;
 use crate::text::vocabulary::is_listed;
@@ -14,20 +14,20 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
         let next_is_small = characters
             .peek()
             .is_some_and(|next| next.is_ascii_lowercase());
-        let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
+        let is_part = is_alphanumeric(mark) || mark == '°' || mark == '±';
         // `quat2eul` is quat, eul.
         if mark == '2'
-            && before.is_alphabetic()
-            && characters.peek().is_some_and(|next| next.is_alphabetic())
+            && is_alphabetic(before)
+            && characters.peek().is_some_and(|next| is_alphabetic(*next))
         {
             before = ' ';
             continue;
         }
-        let begins = !before.is_alphanumeric()
+        let begins = !is_alphanumeric(before)
             || (before.is_ascii_lowercase() && mark.is_ascii_uppercase())
             || (before.is_ascii_uppercase() && mark.is_ascii_uppercase() && next_is_small)
             || (before.is_ascii_digit()
-                && mark.is_alphabetic()
+                && is_alphabetic(mark)
                 && before != ' '
                 && mark.is_ascii_uppercase());
         if is_part {

@@ -1,5 +1,6 @@
 //! Rows of a file under a line of names: each number gets the name of its column.
 
+use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
 use crate::text::record::names::{finite_decimal, is_usual_name};
@@ -295,7 +296,7 @@ fn number(cell: &str, way: Divided) -> Option<f64> {
 }
 
 fn is_name(cell: &str) -> bool {
-    cell.starts_with(|first: char| first.is_alphabetic() || "_%.".contains(first))
+    cell.starts_with(|first: char| is_alphabetic(first) || "_%.".contains(first))
 }
 
 /// The number of a cell under the names of its column.

@@ -3,7 +3,7 @@
 //! A label is a name before a mark, as in `q_wxyz = …` or `worldToBody: …`. A word that stands in none of the
 //! lists says nothing, so that any name may be given to a rotation.
 
-use crate::character::parts_words;
+use crate::character::{is_alphanumeric, parts_words};
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
@@ -34,7 +34,7 @@ fn end_of_word(text: &str) -> usize {
     while let Some((at, character)) = characters.next() {
         let starts_lower =
             |next: Option<&(usize, char)>| next.is_some_and(|(_, next)| next.is_ascii_lowercase());
-        let ends = !character.is_alphanumeric()
+        let ends = !is_alphanumeric(character)
             || matches!(character, 'ᵀ' | 'ᵗ')
             || before.is_some_and(|before| {
                 before.is_ascii_digit() != character.is_ascii_digit()

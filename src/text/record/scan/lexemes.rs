@@ -1,6 +1,6 @@
 //! What the beginning of a text is, by its characters alone.
 
-use crate::character::{begins_number, is_of_name};
+use crate::character::{begins_number, is_alphabetic, is_alphanumeric, is_of_name};
 
 /// How many bytes a date, an index or a list of types has at most.
 const LONGEST: usize = 80;
@@ -47,7 +47,7 @@ pub(crate) fn is_checksum(text: &str) -> bool {
     let digits = text.get(1..3).unwrap_or("");
     let ends = text
         .get(3..)
-        .is_none_or(|rest| !rest.starts_with(char::is_alphanumeric));
+        .is_none_or(|rest| !rest.starts_with(is_alphanumeric));
     ends && digits.len() == 2 && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
@@ -67,10 +67,10 @@ pub(crate) fn types(text: &str) -> usize {
         return 0;
     };
     let inside = &text[1..end];
-    let is_types = inside.starts_with(char::is_alphabetic)
+    let is_types = inside.starts_with(is_alphabetic)
         && inside
             .chars()
-            .all(|mark| mark.is_alphanumeric() || "_:, ".contains(mark))
+            .all(|mark| is_alphanumeric(mark) || "_:, ".contains(mark))
         && !inside.contains(": ");
     if is_types { end + 1 } else { 0 }
 }
@@ -133,7 +133,7 @@ const UNITS: [&str; 12] = [
 /// How many bytes at the start are no number though they begin with a digit: `3x3`, `4×4`, `17a3`, `10.0.0.1`.
 pub(crate) fn identifier(text: &str) -> Option<usize> {
     let length = text
-        .find(|mark: char| !(mark.is_alphanumeric() || "_.×".contains(mark)))
+        .find(|mark: char| !(is_alphanumeric(mark) || "_.×".contains(mark)))
         .unwrap_or(text.len());
     let written = text[..length].trim_end_matches('.');
     let points = written.matches('.').count();
@@ -157,8 +157,5 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
 pub(crate) fn is_axis(text: &str) -> bool {
     let mut letters = text.chars().rev();
     let is_letter = letters.next().is_some_and(|last| "XYZxyz".contains(last));
-    is_letter
-        && letters
-            .next()
-            .is_none_or(|before| !before.is_alphanumeric())
+    is_letter && letters.next().is_none_or(|before| !is_alphanumeric(before))
 }

@@ -9,7 +9,7 @@ mod number;
 // Names, quotes and tags.
 mod word;
 
-use crate::character::{begins_number, is_capital, is_digit};
+use crate::character::{begins_number, is_alphabetic, is_capital, is_digit};
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
 use crate::text::vocabulary::labels::is_derived;
@@ -300,7 +300,7 @@ impl<'t> Scanner<'t> {
                     mark: Mark::Number(_),
                     ..
                 })
-            ) && !second.is_alphabetic() =>
+            ) && !is_alphabetic(second) =>
             {
                 self.push(Mark::Operator, 1);
             }
@@ -338,7 +338,7 @@ impl<'t> Scanner<'t> {
             {
                 self.push(Mark::Operator, 1);
             }
-            _ if first.is_alphabetic() || first == '_' => self.word(),
+            _ if is_alphabetic(first) || first == '_' => self.word(),
             // What is not known between two digits, such as what is not seen.
             _ if !first.is_ascii()
                 && second.is_ascii_digit()

@@ -1,6 +1,6 @@
 //! Numbers and their signs.
 
-use crate::character::{begins_number, is_of_name};
+use crate::character::{begins_number, is_alphabetic, is_alphanumeric, is_of_name};
 use crate::decimal::nearest_double;
 use crate::text::record::scan::lexemes::{identifier, time};
 use crate::text::record::scan::{Decimals, Mark, Scanner, Token};
@@ -32,11 +32,11 @@ impl<'t> Scanner<'t> {
             return;
         }
         let flag = &rest[dashes..];
-        if dashes > 2 && !flag.starts_with(char::is_alphabetic) {
+        if dashes > 2 && !flag.starts_with(is_alphabetic) {
             self.at += dashes;
             return;
         }
-        if flag.starts_with(char::is_alphabetic)
+        if flag.starts_with(is_alphabetic)
             && !matches!(
                 self.touching(),
                 Some(Mark::Word | Mark::Number(_) | Mark::Close)
@@ -150,7 +150,7 @@ impl<'t> Scanner<'t> {
         // A suffix, or a full stop behind the last number of a sentence.
         let after = self.rest();
         let suffix = after.trim_start_matches(['f', 'F', 'd', 'L', '_']);
-        let ends = |text: &str| !text.starts_with(char::is_alphanumeric);
+        let ends = |text: &str| !text.starts_with(is_alphanumeric);
         if suffix.len() + 1 == after.len() && ends(suffix) {
             self.at += 1;
         } else if let Some(suffix) = ["_f64", "_f32", "f64", "f32"]
@@ -158,7 +158,7 @@ impl<'t> Scanner<'t> {
             .find(|suffix| after.strip_prefix(suffix).is_some_and(ends))
         {
             self.at += suffix.len();
-        } else if after.starts_with('.') && !after[1..].starts_with(char::is_alphanumeric) {
+        } else if after.starts_with('.') && !after[1..].starts_with(is_alphanumeric) {
             self.at += 1;
         }
     }

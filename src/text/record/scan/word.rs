@@ -1,6 +1,6 @@
 //! Names, what stands in quotes, and tags.
 
-use crate::character::{begins_name, is_capital, is_digit};
+use crate::character::{begins_name, is_alphabetic, is_alphanumeric, is_capital, is_digit};
 use crate::problem::Span;
 use crate::text::record::names::finite_decimal;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
@@ -39,7 +39,7 @@ impl<'t> Scanner<'t> {
         let after = &rest[end..];
         let argument = types(after);
         if after[argument..].starts_with('\'')
-            && !after[argument + 1..].starts_with(char::is_alphanumeric)
+            && !after[argument + 1..].starts_with(is_alphanumeric)
         {
             self.push(Mark::Word, end + argument);
             self.push(Mark::Operator, 1);
@@ -82,7 +82,7 @@ impl<'t> Scanner<'t> {
                     && part.contains(is_digit)
             })
             .count();
-        let is_flag = inside.starts_with("--") && inside[2..].starts_with(char::is_alphabetic);
+        let is_flag = inside.starts_with("--") && inside[2..].starts_with(is_alphabetic);
         if is_flag {
             let span = Span::from(self.at + 1..self.at + 1 + length);
             self.tokens.push(Token {
@@ -129,13 +129,13 @@ impl<'t> Scanner<'t> {
         let inside = &rest[1..];
         let length = inside.len()
             - inside
-                .trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-.:".contains(mark))
+                .trim_start_matches(|mark: char| is_alphanumeric(mark) || "_-.:".contains(mark))
                 .len();
         let after = inside[length..].trim_start();
         let attribute =
-            after.trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-:.".contains(mark));
+            after.trim_start_matches(|mark: char| is_alphanumeric(mark) || "_-:.".contains(mark));
         let is_tag = length > 0
-            && inside.starts_with(char::is_alphabetic)
+            && inside.starts_with(is_alphabetic)
             && (after.starts_with('>')
                 || after.starts_with("/>")
                 || attribute.len() < after.len()

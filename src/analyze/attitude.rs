@@ -105,10 +105,10 @@ impl Attitude {
         let (convention, matrix, told_direction) =
             told.directed(&parsed, declared.convention, declared.matrix);
         told.check(&parsed, convention, matrix)?;
-        let told = told_direction
-            .map(|direction| Fact::DirectionFromText(DirectionFromText { direction }))
-            .into_iter()
-            .collect();
+        let mut told = Vec::new();
+        if let Some(direction) = told_direction {
+            told.push(Fact::DirectionFromText(DirectionFromText { direction }));
+        }
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
                 let attitude = Self::of_quaternion(parsed, convention, span)?;

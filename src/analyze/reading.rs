@@ -3,6 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared, unit_assumed};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
+#[cfg(feature = "whole")]
 use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;

@@ -231,14 +231,12 @@ fn answer<'request>(
         Err(problems) => {
             let Problems { problems } =
                 Problems { problems }.in_utf16(|field| text_of(field).to_owned());
-            let problems = problems
-                .into_iter()
-                .map(|problem| {
-                    let member = member_of(problem.field);
-                    texts.of_whole_text(problem, member, MAX_TEXT_BYTES)
-                })
-                .collect();
-            with_status("problems", to_js(&Problems { problems }))
+            let mut whole = Vec::new();
+            for problem in problems {
+                let member = member_of(problem.field);
+                whole.push(texts.of_whole_text(problem, member, MAX_TEXT_BYTES));
+            }
+            with_status("problems", to_js(&Problems { problems: whole }))
         }
     }
 }

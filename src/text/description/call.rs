@@ -88,16 +88,19 @@ struct RotationCall<'e, 't> {
 
 impl<'e, 't> RotationCall<'e, 't> {
     fn of(name: &'t str, arguments: &'e [Entry<'t>], span: Span) -> Self {
-        let unnamed = arguments.iter().filter(|entry| entry.key.is_none());
-        let named = arguments
-            .iter()
-            .filter_map(|entry| Some((entry.key?, &entry.node)));
+        let (mut positional, mut named) = (Vec::new(), Vec::new());
+        for entry in arguments {
+            match entry.key {
+                Some(key) => named.push((key, &entry.node)),
+                None => positional.push(&entry.node),
+            }
+        }
         Self {
             name,
             takes: calls::takes(name)
                 .or_else(|| constructors::is_matrix(name).then_some(RowsOrColumns)),
-            positional: unnamed.map(|entry| &entry.node).collect(),
-            named: named.collect(),
+            positional,
+            named,
             span,
         }
     }
@@ -157,7 +160,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             }
             ModifiedRodrigues => {
                 self.check_names(&[])?;
-                let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
+                let entries = all_alone(&self.positional);
                 quaternion::vector(&entries, self.span).map(ParsedRotation::ModifiedRodrigues)
             }
             SequenceThenAngles => self.sequence_then_angles(),
@@ -175,7 +178,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             RowsOrColumns => return Err(Fault::rows_or_columns(self.span, self.name)),
             Matrix => {
                 self.check_names(&["dtype"])?;
-                let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
+                let entries = all_alone(&self.positional);
                 matrix::matrix(&entries, self.span).map(ParsedRotation::Matrix)
             }
             Rotation => return Ok(None),
@@ -245,8 +248,7 @@ impl<'e, 't> RotationCall<'e, 't> {
     }
 
     fn three(&self, nodes: &[&Node<'_>], what: &str) -> Result<[Angle; 3], Fault> {
-        let entries: Vec<_> = nodes.iter().map(|node| alone(node)).collect();
-        three(&entries, self.span, what)
+        three(&all_alone(nodes), self.span, what)
     }
 
     /// Radians, or degrees where `degrees=True` says so.
@@ -344,4 +346,12 @@ fn single_axis(node: &Node<'_>) -> Option<nalgebra::Vector3<f64>> {
 
 fn matrix_of(node: &Node<'_>) -> Result<ParsedRotation, Fault> {
     matrix::matrix(&[alone(node)], node.span).map(ParsedRotation::Matrix)
+}
+
+fn all_alone<'t>(nodes: &[&Node<'t>]) -> Vec<Entry<'t>> {
+    let mut entries = Vec::new();
+    for node in nodes {
+        entries.push(alone(node));
+    }
+    entries
 }

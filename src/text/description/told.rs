@@ -86,11 +86,10 @@ impl<'t> Told<'t> {
             let refused =
                 |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
             let words = words_of(comment.text);
-            let own: String = words
-                .iter()
-                .filter(|word| is_component(word))
-                .copied()
-                .collect();
+            let mut own = String::new();
+            for word in &words {
+                own.push_str(if is_component(word) { word } else { "" });
+            }
             // Of all four by themselves, or of one beside each number.
             if own.len() == 4 {
                 self.take_letters(&own, comment, wanted)?;

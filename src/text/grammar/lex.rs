@@ -94,6 +94,15 @@ impl Token<'_> {
     }
 }
 
+/// The texts of tokens, as written.
+pub(crate) fn texts_of<'t>(tokens: &[Token<'t>]) -> Vec<&'t str> {
+    let mut texts = Vec::new();
+    for token in tokens {
+        texts.push(token.text);
+    }
+    texts
+}
+
 /// The last name of a path: `Quaterniond` of `Eigen::Quaterniond`, `x` of `pose.orientation.x`.
 pub(crate) fn last_segment(path: &str) -> &str {
     path.rsplit([':', '.']).next().unwrap_or(path)

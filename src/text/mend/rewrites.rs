@@ -59,11 +59,12 @@ fn matched_brackets(fault: &Fault, text: &str) -> Vec<String> {
         let open = from.chars().next();
         let pair = PAIRS.iter().find(|(opening, _)| Some(*opening) == open);
         let encloses_list = from.contains(',') || !from.contains(is_factor);
-        return pair
-            .filter(|_| !binds(before) && encloses_list)
-            .map(|(_, closing)| format!("{}{closing}", text.trim_end()))
-            .into_iter()
-            .collect();
+        return match pair {
+            Some((_, closing)) if !binds(before) && encloses_list => {
+                vec![format!("{}{closing}", text.trim_end())]
+            }
+            _ => Vec::new(),
+        };
     }
     let mut open = Vec::new();
     for character in before.chars() {
@@ -178,11 +179,12 @@ fn decimal_points(_: &Fault, text: &str) -> Vec<String> {
         return Vec::new();
     }
     let is_digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
-    let points = text.char_indices().map(|(at, character)| {
+    let mut points = String::new();
+    for (at, character) in text.char_indices() {
         let is_inside = character == ',' && at > 0 && is_digit(at - 1) && is_digit(at + 1);
-        if is_inside { '.' } else { character }
-    });
-    vec![points.collect()]
+        points.push(if is_inside { '.' } else { character });
+    }
+    vec![points]
 }
 
 /// A sign before the first number may be the dash of a list, which is no sign.

@@ -231,9 +231,11 @@ fn differs_by_deg(one: &Attitude, other: &Attitude) -> f64 {
 }
 
 fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, f64)> {
-    read.iter()
-        .map(|(found, other)| (*found, differs_by_deg(chosen, other)))
-        .collect()
+    let mut others = Vec::new();
+    for (found, other) in read {
+        others.push((*found, differs_by_deg(chosen, other)));
+    }
+    others
 }
 
 fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {

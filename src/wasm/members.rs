@@ -360,12 +360,8 @@ fn not_of_kind(value: &JsValue, path: &str, wanted: &str) -> JsValue {
     })
 }
 
-pub(crate) fn no_such_choice(path: &str, chosen: &str, names: &[impl AsRef<str>]) -> JsValue {
-    let names: Vec<String> = names
-        .iter()
-        .map(|name| format!("`{}`", name.as_ref()))
-        .collect();
-    let names = names.join(", ");
+pub(crate) fn no_such_choice(path: &str, chosen: &str, names: &[&str]) -> JsValue {
+    let names = format!("`{}`", names.join("`, `"));
     refused(&format!(
         "`{path}` cannot be `{chosen}`, but one of {names}"
     ))

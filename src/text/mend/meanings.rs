@@ -90,10 +90,13 @@ pub(crate) fn of_two(
     ) else {
         return Vec::new();
     };
-    let digits: Vec<&str> = place.split("").filter(|digit| !digit.is_empty()).collect();
-    let is_sequence = digits.len() == 3;
+    let is_sequence = place.chars().count() == 3;
     let other = if is_sequence {
-        let sequence = digits.join("-");
+        let mut sequence = String::new();
+        for digit in place.chars() {
+            sequence.push_str(if sequence.is_empty() { "" } else { "-" });
+            sequence.push(digit);
+        }
         Suggestion::new(Remedy::AsEulerAngles, format!("{before}{sequence}{after}"))
     } else {
         Suggestion::new(Remedy::AsAxisAngle, format!("axis-angle {text}"))

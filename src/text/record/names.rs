@@ -141,10 +141,12 @@ pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
     if !(3..=7).contains(&count) {
         return None;
     }
-    let names: Vec<&str> = key
-        .split(|mark: char| mark.is_whitespace() || ",;/|()[]".contains(mark))
-        .filter(|name| !name.is_empty())
-        .collect();
+    let mut names = Vec::new();
+    for name in key.split(|mark: char| mark.is_whitespace() || ",;/|()[]".contains(mark)) {
+        if !name.is_empty() {
+            names.push(name);
+        }
+    }
     let is_one = |name: &&str| {
         let (own, stem) = name_and_stem(name);
         stem.is_empty() && is_listed(&own, ANGLES)

@@ -51,6 +51,10 @@ mod record_choices;
 // The numbers of records that have no quaternion.
 mod record_numbers;
 
+// What else is told of a block.
+#[cfg(feature = "whole")]
+mod record_told;
+
 /// From one end of a translation to the other.
 pub mod translate;
 

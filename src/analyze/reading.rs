@@ -7,11 +7,13 @@ use crate::analyze::record::of_record;
 use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;
-#[cfg(feature = "whole")]
-use crate::problem::is_too_long;
 use crate::problem::{Field, Problem};
+#[cfg(feature = "whole")]
+use crate::problem::{Wanted, is_too_long};
 use crate::text::mend::unit;
 use crate::text::mend::with_suggestion;
+#[cfg(feature = "whole")]
+use crate::text::{made_above, marked_label};
 
 impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
@@ -33,6 +35,15 @@ impl Attitude {
     }
 
     fn read(text: &str, declared: Declared) -> Result<Self, Fault> {
+        #[cfg(feature = "whole")]
+        if let Some((label, what)) = marked_label(text) {
+            let name = &text[label.start..label.end];
+            return Err(Fault::other_label(label, name, what, Wanted::Quaternion));
+        }
+        #[cfg(feature = "whole")]
+        if let Some((code, what)) = made_above(text) {
+            return Err(Fault::other_comment(code, what, Wanted::Quaternion));
+        }
         let plain = Self::plain(text, declared);
         #[cfg(feature = "whole")]
         if may_be_block(text, &plain)

@@ -1,27 +1,20 @@
 //! The attitude in a whole block of text: which of its rotations is meant, and what stands beside it.
 
 use crate::analyze::attitude::{Attitude, Declared};
-use crate::analyze::plain_numbers::{coordinates, plain as plain_number, plain3};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
+use crate::analyze::record_told::{SAME_WITHIN_DEG, descriptions, found_in_text, loose_angles};
 use crate::character::is_alphabetic;
-use crate::contract::{
-    Beside, BesideQuantity, Fact, Form, FormatAssumed, FoundInText, OtherDescription,
-    RotationAssumed,
-};
-use crate::convention::Direction;
+use crate::contract::{Fact, Form, FormatAssumed, RotationAssumed};
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
 use crate::problem::fault::Fault;
-use crate::problem::{ProblemCode, Span, shorten};
+use crate::problem::{ProblemCode, Span, Wanted, shorten};
 use crate::text::{
-    DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record, RecordRotation,
-    RotationText, RowMarks, Told, What, other_than_rotation, record_of, says_nothing,
+    Comment, DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record,
+    RecordRotation, RotationText, RowMarks, Told, made_by_code, made_by_remark,
+    other_than_rotation, record_of, says_nothing,
 };
-use nalgebra::{Matrix3, Vector3};
-
-/// Two descriptions of one rotation are no farther apart, in degrees: angles are often printed with no
-/// more than whole degrees, and matrices with two decimals.
-const SAME_WITHIN_DEG: f64 = 0.75;
+use nalgebra::Matrix3;
 
 /// The attitude that is found in a text, or why it is not known which; `None` where none is found, or where
 /// what the text is read as by itself, `plain`, stands.
@@ -40,9 +33,32 @@ pub(crate) fn of_record(
     }
     match plain {
         Ok(plain) => beside_plain(text, declared, &record, plain),
-        Err(fault) if may_hold_more(text, &record, fault) => of_block(text, declared, &record),
+        Err(fault) if may_hold_more(text, &record, fault) => {
+            let found = of_block(text, declared, &record);
+            let is_formula = || found.is_none() && is_formula(text, &record, fault);
+            if is_formula() {
+                return Some(Err(Fault::formula(Span::of_trimmed(text))));
+            }
+            found
+        }
         Err(_) => None,
     }
+}
+
+/// Whether a text says with letters and signs how something is made of others, and has no numbers of a rotation:
+/// `R = I + sin(θ) K`.
+fn is_formula(text: &str, record: &Record, fault: &Fault) -> bool {
+    let is_unread = matches!(
+        fault.code,
+        ProblemCode::UnknownWord | ProblemCode::UnexpectedCharacter | ProblemCode::Unexpected
+    );
+    let right = text.split_once('=').map_or("", |(_, right)| right);
+    let computes = right.contains([
+        '*', '^', '/', '+', '−', '·', '⊗', '⊙', '∘', '\\', '²', '(', ' ',
+    ]);
+    // `0.6 + 0.8i` has no names.
+    let has_names = right.contains(|mark: char| is_alphabetic(mark) && !"ijke".contains(mark));
+    is_unread && record.most_numbers < 3 && computes && has_names
 }
 
 /// Whether a problem of a text is that it holds more than one rotation and its numbers: words around them,
@@ -102,6 +118,13 @@ fn read_all<'r>(
     for found in record.rotations.iter().filter(is_meant) {
         // Its own piece of the text, which may be one of many, and long.
         let own = &text[found.span.start..found.span.end];
+        let told = match told_around(text, found) {
+            Ok(told) => told,
+            Err(problem) => {
+                fault = fault.or(Some(problem));
+                continue;
+            }
+        };
         let parsed = RotationText {
             rotation: as_declared(found, declared),
             row_marks: match (found.by_columns, found.has_rows) {
@@ -109,7 +132,7 @@ fn read_all<'r>(
                 (false, true) => RowMarks::Lines,
                 (false, false) => RowMarks::None,
             },
-            told: Told::of_label(&found.label, Span::of_trimmed(own)),
+            told,
         };
         match Attitude::of_parsed(parsed, own, declared) {
             Ok(attitude) => read.push((found, attitude)),
@@ -117,6 +140,28 @@ fn read_all<'r>(
         }
     }
     (read, fault)
+}
+
+/// What is told by the label of a rotation and by what is said around it.
+fn told_around<'t>(text: &'t str, found: &'t RecordRotation) -> Result<Told<'t>, Fault> {
+    let refused = |span, what| Err(Fault::other_comment(span, what, Wanted::Quaternion));
+    if let Some(span) = found.code
+        && let Some(what) = made_by_code(&text[span.start..span.end])
+    {
+        return refused(span, what);
+    }
+    // What was typed at a prompt is the name of what it printed.
+    if found.label.contains(['(', '\'', '.'])
+        && let Some(what) = made_by_code(&found.label)
+    {
+        return refused(found.span, what);
+    }
+    let span = found.remark;
+    let remark = &text[span.start..span.end];
+    if let Some(what) = made_by_remark(remark) {
+        return refused(span, what);
+    }
+    Told::around(&found.label, found.span, &[Comment { text: remark, span }])
 }
 
 /// The attitude of a text that is read only as a block.
@@ -145,6 +190,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     }
     let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others);
+    told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     if is_assumed(found) && !has_mark_before(text, found.span) {
         return None;
@@ -171,7 +217,14 @@ fn beside_plain(
     if let (Some(row), true) = (record.rows.first(), record.rotations.is_empty()) {
         return Some(Err(Fault::no_rotation_in_row(*row)));
     }
-    let (mut read, _) = read_all(text, declared, record);
+    let (mut read, fault) = read_all(text, declared, record);
+    // What is said around the numbers, which the grammar reads past.
+    if read.is_empty()
+        && let Some(fault) = fault
+        && fault.code == ProblemCode::OtherQuantity
+    {
+        return Some(Err(fault));
+    }
     let same = read
         .iter()
         .position(|(_, attitude)| differs_by_deg(plain, attitude) < SAME_WITHIN_DEG);
@@ -181,8 +234,14 @@ fn beside_plain(
         let has_own_order = !plain.is_far_from_unit()
             && (matches!(plain.form, Form::Matrix(_))
                 || plain.parsed.as_ref().is_some_and(is_told));
-        read.iter()
-            .position(|(found, _)| !has_own_order && is_of_format(found, declared))
+        // So has what is said behind the numbers.
+        let is_ordered = |attitude: &Attitude| {
+            let parsed = attitude.parsed.as_ref();
+            parsed.is_some_and(|parsed| parsed.order_source == OrderSource::Label)
+        };
+        read.iter().position(|(found, attitude)| {
+            !has_own_order && (is_of_format(found, declared) || is_ordered(attitude))
+        })
     };
     let (found, attitude) = read.swap_remove(same.or_else(of_format)?);
     let attitude = if same.is_some() {
@@ -192,8 +251,10 @@ fn beside_plain(
     };
     let attitude = with_other_order(attitude, &read);
     let mut told = descriptions(text, &others(&read, &attitude));
+    told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
-    (!told.is_empty()).then(|| Ok(telling(attitude, told)))
+    let is_more = same.is_none() || !told.is_empty();
+    is_more.then(|| Ok(telling(attitude, told)))
 }
 
 fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
@@ -236,28 +297,6 @@ fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, 
         others.push((*found, differs_by_deg(chosen, other)));
     }
     others
-}
-
-fn descriptions(text: &str, others: &[(&RecordRotation, f64)]) -> Vec<Fact> {
-    let mut told = Vec::new();
-    for (other, differs_by_deg) in others {
-        told.push(description(text, other, *differs_by_deg));
-    }
-    told
-}
-
-/// That the text holds the rotation a second time, or another one.
-fn description(text: &str, other: &RecordRotation, differs_by_deg: f64) -> Fact {
-    let description = OtherDescription {
-        label: named(&other.label),
-        text: closed(&text[other.span.start..other.span.end]),
-        differs_by_deg: plain_number(differs_by_deg),
-    };
-    if differs_by_deg > SAME_WITHIN_DEG {
-        Fact::DescriptionsDisagree(description)
-    } else {
-        Fact::SecondDescription(description)
-    }
 }
 
 /// No turn, which stands for what was never set.
@@ -326,27 +365,6 @@ fn may_be_anything(found: &RecordRotation) -> bool {
     is_any && found.format.is_none()
 }
 
-fn named(label: &str) -> Option<String> {
-    (!label.is_empty()).then(|| closed(label))
-}
-
-/// A piece of a text with the brackets that it leaves open.
-fn closed(piece: &str) -> String {
-    let mut text = piece.to_owned();
-    let mut open = Vec::new();
-    for mark in piece.chars() {
-        match mark {
-            '(' => open.push(')'),
-            '[' => open.push(']'),
-            '{' => open.push('}'),
-            _ if open.last() == Some(&mark) => drop(open.pop()),
-            _ => {}
-        }
-    }
-    text.extend(open.iter().rev());
-    text
-}
-
 /// Which of several descriptions is read: a quaternion or a matrix before angles, whose sequence may only be
 /// the usual one, and what turns before what does not; the first of those.
 fn preferred(read: &[Read<'_>]) -> usize {
@@ -354,59 +372,4 @@ fn preferred(read: &[Read<'_>]) -> usize {
         matches!(attitude.form, Form::Quaternion | Form::Matrix(_)) && !is_identity(found)
     };
     read.iter().position(is_certain).unwrap_or(0)
-}
-
-/// What stands around the rotation; `None` where the numbers are all that there is.
-fn found_in_text(
-    record: &Record,
-    found: &RecordRotation,
-    attitude: &Attitude,
-    text: &str,
-) -> Option<Fact> {
-    let mut all = Vec::new();
-    for beside in &record.beside {
-        let numbers = plain3(beside.numbers);
-        let (quantity, body_in_world) = match beside.what {
-            What::Scale => (BesideQuantity::Scale, None),
-            What::Position if beside.is_in_world => (BesideQuantity::Position, Some(numbers)),
-            What::Position => {
-                let in_world = body_in_world(beside.numbers, attitude);
-                (BesideQuantity::Position, Some(in_world))
-            }
-        };
-        all.push(Beside {
-            quantity,
-            label: named(&beside.label),
-            numbers,
-            body_in_world,
-        });
-    }
-    let format = found.format.map(|format| format.name.to_owned());
-    let is_told = !all.is_empty() || format.is_some();
-    is_told.then(|| {
-        Fact::FoundInText(FoundInText {
-            format,
-            label: named(&found.label),
-            text: closed(&text[found.span.start..found.span.end]),
-            beside: all,
-        })
-    })
-}
-
-/// Where the body's origin stands in the world, of a translation beside numbers that lead from one to the
-/// other: x = R X + t of world to body puts it at −Rᵀt.
-fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
-    let direction = match attitude.form {
-        Form::Quaternion => attitude.tagged.convention.direction,
-        Form::Matrix(read) => read.convention.direction,
-        _ => Direction::BodyToWorld,
-    };
-    match direction {
-        Direction::BodyToWorld => plain3(translation),
-        Direction::WorldToBody => {
-            let body_to_world = attitude.rotation.matrix(Direction::BodyToWorld);
-            let origin = -(body_to_world * Vector3::from(translation));
-            coordinates(&origin)
-        }
-    }
 }

@@ -202,6 +202,8 @@ pub enum ProblemCode {
     MixedUnits,
     /// Several rotations, of which one has to be chosen.
     SeveralRotations,
+    /// Letters and signs that say how something is made of others, without numbers.
+    Formula,
     /// Another description of a rotation where only a quaternion is read.
     NotAQuaternion,
     /// Another description of a rotation where only a matrix is read.

@@ -60,8 +60,10 @@
 //! columns (`column_major`, and three.js's `elements`) is used; what names something else than a rotation
 //! (`position`, `rgba`, `qdot`, `R.T`), left-handed axes or another order is refused, and
 //! [`analyze`](fn@crate::analyze) refuses what names another convention or direction than is declared (`q_jpl`,
-//! `world_to_body`). Of a comment the same words count, and a unit for all the angles (`rpy 5 4 3 # deg`). Any
-//! other word says nothing.
+//! `world_to_body`). Of a comment, and of what is said behind numbers in their line (`(scalar last)`), the same words
+//! count, and a unit for all the angles (`rpy 5 4 3 # deg`). Marks on a name (`q⁻¹`, `Rᵀ`, `2q`) and the code above
+//! numbers that printed them (`>>> R.T`) refuse them where they make something else of the rotation. Any other word
+//! says nothing.
 //!
 //! # Which sequence
 //!
@@ -162,7 +164,12 @@ use crate::text::description::{list, quaternion};
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 use crate::text::readers::rotation;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::record::{DeclaredFormat, Record, RecordRotation, What, record_of};
+pub(crate) use crate::text::record::{
+    DeclaredFormat, Record, RecordRotation, What, made_above, made_by_code, made_by_remark,
+    marked_label, record_of,
+};
+#[cfg(feature = "whole")]
+pub(crate) use crate::text::vocabulary::Comment;
 use crate::text::vocabulary::Telling;
 pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]

@@ -21,10 +21,7 @@ const MISREAD: &[&str] = &[
 ];
 
 /// Those of `lookalikes.json` that are read without a note that stops.
-const LOOKALIKES_READ: &[&str] = &[
-    // A minus in a label may be a dash: `INFO - pose: …`.
-    "q-difference",
-];
+const LOOKALIKES_READ: &[&str] = &[];
 
 /// Of those that have a rotation so many are read, at once or by a button.
 const LEAST_READ: f64 = 0.95;

@@ -45,6 +45,18 @@ fn a_second_description_is_compared() {
     );
 }
 
+/// Angles of which the sequence is not told are looked for in all of them.
+#[wasm_bindgen_test(unsupported = test)]
+fn angles_without_a_sequence_are_compared() {
+    // About moving x, y, z the quaternion above has other angles.
+    let text = format!("quaternion: {W_FIRST}\neuler: 12.5 33.75 -61.2");
+    let agrees = |note: &Note| matches!(&note.fact, Fact::SecondDescription(other) if other.label.as_deref() == Some("euler"));
+    assert!(notes(&text).iter().any(agrees), "{:?}", notes(&text));
+    let text = format!("quaternion: {W_FIRST}\neuler xyz (deg): 12.5 33.75 -51.2");
+    let disagrees = |note: &Note| matches!(&note.fact, Fact::DescriptionsDisagree(_)) && note.stops;
+    assert!(notes(&text).iter().any(disagrees), "{:?}", notes(&text));
+}
+
 /// Where the declared order disagrees with the angles and the other one does not, it is a button.
 #[wasm_bindgen_test(unsupported = test)]
 fn the_order_that_agrees_with_the_angles_is_offered() {
@@ -180,4 +192,122 @@ fn rows_are_assumed_where_no_translation_tells_them() {
     assert!(is_assumed("0.8 -0.6 0 0 0.6 0.8 0 0 0 0 1 0 0 0 0 1"));
     assert!(!is_assumed("0.8 -0.6 0 1.5 0.6 0.8 0 0 0 0 1 0 0 0 0 1"));
     assert!(!is_assumed("0.8 -0.6 0 0\n0.6 0.8 0 0\n0 0 1 0\n0 0 0 1"));
+}
+
+/// What is said behind the numbers in their line tells their order and their unit, wherever the line stands.
+#[wasm_bindgen_test(unsupported = test)]
+fn words_behind_numbers_are_read() {
+    for remark in [
+        "(scalar last)",
+        "scalar last",
+        "(x y z w)",
+        "(x,y,z,w)",
+        "in x,y,z,w order, why?",
+        ", where the last entry is the scalar.",
+        "# xyzw",
+        "// x, y, z, w",
+        "-- x, y, z, w",
+        "# qx qy qz qw",
+        "# xyzw\ntranslation: [1, 2, 3]",
+    ] {
+        let text = format!("rotation: {W_LAST} {remark}");
+        let components = read(&text, "1 0 0", hamilton()).hamilton.unit;
+        assert!(
+            (components.w - 0.802696173189).abs() < 1e-9,
+            "{text}: {components:?}"
+        );
+    }
+    let text = format!("quaternion_order: xyzw\nquaternion: {W_LAST}");
+    assert!((read(&text, "1 0 0", hamilton()).hamilton.unit.w - 0.802696173189).abs() < 1e-9);
+    // Roll, pitch and yaw as above.
+    for text in [
+        "rpy: [12.5, 33.75, -61.2]  # degrees\nxyz: [1, 2, 3]",
+        "# angles in degrees\nxyz: [1, 2, 3]\nrpy: [12.5, 33.75, -61.2]",
+    ] {
+        let report = read(text, "1 0 0", hamilton());
+        assert!(
+            (report.hamilton.unit.w - 0.802696173189).abs() < 1e-9,
+            "{text}"
+        );
+        assert!(!report.notes.iter().any(|note| note.stops), "{text}");
+    }
+}
+
+/// What is said behind the numbers, or was typed above them, may say that they are something else.
+#[wasm_bindgen_test(unsupported = test)]
+fn words_around_numbers_refuse_them() {
+    let rows = "0.36 0.48 -0.8\n-0.8 0.6 0\n0.48 0.64 0.6";
+    let refused = [
+        format!("quaternion: {W_FIRST} (inverse)"),
+        format!("q: {W_FIRST} -- conjugate!"),
+        format!("quaternion: {W_FIRST} (left-handed)"),
+        format!("rotation: {W_FIRST} # inverse\ntranslation: [1, 2, 3]"),
+        format!("quaternion: {W_FIRST} rad/s"),
+        format!("quaternion: {W_FIRST} m"),
+        "rvec = [0.1 0.2 0.3] (per second)".to_owned(),
+        format!(">> R'\n\nans =\n{rows}"),
+        format!("octave:3> R'\nans =\n{rows}"),
+        format!(">> rotm2quat(R')\nans =\n{W_FIRST}"),
+        format!("julia> inv(R)\n{rows}"),
+        format!("std::cout << R.transpose() << std::endl;\n{rows}"),
+        format!("print(R.T)\n{rows}"),
+        "R.T\narray([[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]])".to_owned(),
+        "> t(R)\n      [,1] [,2] [,3]\n[1,] 0.36 0.48 -0.8\n[2,] -0.8 0.6 0\n[3,] 0.48 0.64 0.6"
+            .to_owned(),
+        format!("C.object.rotation_quaternion.inverted()\nQuaternion(({W_FIRST}))"),
+        format!("U, S, Vt = np.linalg.svd(H)\nU:\n{rows}"),
+        format!(">>> p.getDifferenceQuaternion(a, b)\n{W_FIRST}"),
+    ];
+    for text in refused {
+        assert_eq!(problem(&text).code, ProblemCode::OtherQuantity, "{text}");
+    }
+}
+
+/// A formula has no numbers to read, whatever sign of it is the first that is not known.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_formula_is_told() {
+    for text in [
+        "R = I + sin(θ)K + (1-cos θ)K²",
+        "q = q1 * q2",
+        "C(q) = (2 q4^2 - 1) I - 2 q4 [q×] + 2 q q^T",
+        r"R_{ij} = \frac{1}{2} \delta_{ij}",
+    ] {
+        let problem = problem(text);
+        assert_eq!(problem.code, ProblemCode::Formula, "{text}");
+    }
+}
+
+/// Marks on a name make another one of it, and names of a tuple are its own.
+#[wasm_bindgen_test(unsupported = test)]
+fn marks_on_names_refuse_them() {
+    for name in [
+        "q⁻¹",
+        "q^-1",
+        "R^T",
+        "R'",
+        "q*",
+        "q†",
+        "q\u{304}",
+        "q\u{307}",
+        "∂q",
+        "σ_q",
+        "2q",
+        "q1 - q2",
+        "q_a ⊗ q_b",
+        "fx, fy, cx, cy",
+        "z, y, x, w",
+    ] {
+        let text = format!("{name} = 0.8 0.2 -0.4 0.4");
+        assert_eq!(problem(&text).code, ProblemCode::OtherQuantity, "{text}");
+    }
+    // A log and a moved axis are none of these.
+    for text in [
+        "12:30:01 - INFO - q: 0.8 0.2 -0.4 0.4",
+        "Umeyama's method\nq: 0.8 0.2 -0.4 0.4",
+    ] {
+        assert!(
+            (read(text, "1 0 0", hamilton()).hamilton.unit.w - 0.8).abs() < 1e-12,
+            "{text}"
+        );
+    }
 }

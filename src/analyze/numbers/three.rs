@@ -106,6 +106,19 @@ impl ThreeNumbers {
     }
 }
 
+/// How far an attitude is from the nearest one that three numbers may be, in radians.
+pub(crate) fn nearest_off_rad(
+    numbers: [f64; 3],
+    known: Option<AngleUnit>,
+    attitude: &Rotation,
+) -> f64 {
+    let mut nearest = f64::INFINITY;
+    for candidate in ThreeNumbers::of(numbers, known, attitude).candidates {
+        nearest = nearest.min(candidate.off_rad);
+    }
+    nearest
+}
+
 /// Whether angles about these axes are those of the sequence in another order than that of the turns. About
 /// axes that stay they would be those about axes that move, backwards.
 fn is_in_another_order(sequence: EulerSequence, axes: EulerAxes) -> bool {

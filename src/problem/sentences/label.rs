@@ -21,9 +21,9 @@ impl Fault {
         Self::told(ProblemCode::OtherQuantity, span, || {
             let itself = itself(wanted);
             Words::new(
-                format!("this comment speaks of {what}, not of the {itself} itself"),
+                format!("these words speak of {what}, not of the {itself} itself"),
                 format!("the numbers of the {itself}"),
-                format!("remove the comment if the numbers are the {itself}"),
+                format!("remove the words if the numbers are the {itself}"),
             )
         })
     }

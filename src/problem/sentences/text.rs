@@ -168,6 +168,18 @@ impl Fault {
         })
     }
 
+    /// Letters and signs that say how numbers are made of others.
+    #[cfg(feature = "whole")]
+    pub(crate) fn formula(span: Span) -> Self {
+        Self::new(
+            ProblemCode::Formula,
+            span,
+            "a formula, without the numbers of a rotation",
+            "numbers in place of the letters",
+            "write the numbers that it gives",
+        )
+    }
+
     pub(crate) fn unexpected(span: Span, found: &str) -> Self {
         Self::told(ProblemCode::Unexpected, span, || {
             // `0..38`, or two numbers that touch.

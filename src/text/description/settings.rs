@@ -18,6 +18,9 @@ pub(crate) struct Settings<'t> {
     pub(crate) sequence: Option<(&'t str, Key<'t>)>,
 }
 
+/// How names end whose value is the order of four components.
+const ORDERING: [&str; 4] = ["order", "format", "layout", "convention"];
+
 impl<'t> Settings<'t> {
     /// Takes in what a name and its value say, and whether they say anything.
     fn take(&mut self, name: &Token<'t>, value: &Token<'t>) -> Result<bool, Fault> {
@@ -39,7 +42,8 @@ impl<'t> Settings<'t> {
             ("degrees", Some(false)) => (Some(AngleUnit::Radians), None),
             ("scalarfirst", Some(true)) => (None, Some(ComponentOrder::ScalarFirst)),
             ("scalarfirst", Some(false)) => (None, Some(ComponentOrder::ScalarLast)),
-            ("order" | "format" | "layout" | "convention" | "componentorder", _) => {
+            // `order`, `quaternion_order`
+            (name, _) if ORDERING.iter().any(|ends| name.ends_with(ends)) => {
                 (None, order_alone(&word))
             }
             _ => (None, None),

@@ -86,10 +86,17 @@ impl<'t> Told<'t> {
             let refused =
                 |word: LabelWord| Fault::other_comment(comment.span, word.in_words(), wanted);
             let words = words_of(comment.text);
-            let mut own = String::new();
+            // `x`, or `qx`
+            let (mut own, mut of_q) = (String::new(), String::new());
             for word in &words {
-                own.push_str(if is_component(word) { word } else { "" });
+                let letter = word.trim_start_matches('q');
+                if is_component(word) {
+                    own.push_str(word);
+                } else if is_component(letter) {
+                    of_q.push_str(letter);
+                }
             }
+            let own = if own.is_empty() { of_q } else { own };
             // Of all four by themselves, or of one beside each number.
             if own.len() == 4 {
                 self.take_letters(&own, comment, wanted)?;
@@ -224,13 +231,23 @@ impl<'t> Told<'t> {
         })
     }
 
-    /// What the label of a rotation in a whole block tells.
+    /// What the label of a rotation in a whole block tells, and what is said around it; a problem where that says
+    /// that the numbers are something else.
     #[cfg(feature = "whole")]
-    pub(crate) fn of_label(label: &'t str, span: Span) -> Self {
+    pub(crate) fn around(
+        label: &'t str,
+        span: Span,
+        remarks: &[Comment<'t>],
+    ) -> Result<Self, Fault> {
         let mut told = Self::default();
-        told.take_label(label, span, &[]);
+        // `view = Matrix4`: the type behind a name is no word of it.
+        let name = label.split('=').next().unwrap_or(label);
+        told.take_label(name, span, &[]);
+        // What it names in a block was used there.
+        told.label_order = None;
+        told.take_comments(remarks, Wanted::Quaternion)?;
         told.layout = None;
-        told
+        Ok(told)
     }
 
     /// What is declared, with the direction that the text tells; whether that is another one.
@@ -381,7 +398,7 @@ fn is_component(word: &str) -> bool {
 /// Whether a word in a sentence says that the numbers are made of others; a minus there may be any.
 fn is_told_in_prose(made: Derived, wanted: Wanted) -> bool {
     match made {
-        Derived::Negative => false,
+        Derived::Negative | Derived::Difference => false,
         Derived::Rate => wanted == Wanted::Quaternion,
         _ => true,
     }

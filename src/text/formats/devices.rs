@@ -49,7 +49,12 @@ pub(crate) const DEVICES: &[Format] = &[
         name: "Xsens",
         marks: &["packetcounter|packet counter|xsens|sampletimefine|sample time fine"],
         order: Some(ScalarFirst),
-        fields: &[],
+        // `Euler_X` is roll, `Euler_Y` pitch, `Euler_Z` yaw.
+        fields: &[Field::NamedUnder(
+            "Euler",
+            "x y z",
+            &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
+        )],
     },
     // `$PASHR,time,heading,T,roll,pitch,heave,…` (NMEA 0183, proprietary of Ashtech; NovAtel).
     Format {

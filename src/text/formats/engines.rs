@@ -1,8 +1,8 @@
-//! Game engines, and libraries of graphics.
+//! Game engines, and programs that model.
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
-use crate::text::record::format::{Angles, DECLARED_ONLY, Field, Format, Letters, Part, Unit};
+use crate::text::record::format::{Angles, Field, Format, Letters, Part, Unit};
 
 /// Pitch, yaw, roll in degrees: Rz(yaw) Ry(−pitch) Rx(−roll), as the axes are left-handed.
 pub(crate) const ROTATOR: Part = Part::Euler(
@@ -12,7 +12,7 @@ pub(crate) const ROTATOR: Part = Part::Euler(
 );
 
 /// The angles about x, y and z; y turns first, about moving axes.
-const Y_X_Z: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Radians)).by_axis());
+pub(crate) const Y_X_Z: Part = Part::Euler(Angles::new("YXZ", Unit::Always(Radians)).by_axis());
 
 /// The same in degrees.
 pub(crate) const Y_X_Z_DEGREES: Part =
@@ -33,12 +33,78 @@ pub(crate) const ENGINES: &[Format] = &[
         marks: &[
             "frotator|ftransform|relativerotation|unreal|ue4|ue5|fquat|fvector|rotator|logtemp|~LogBlueprintUserMessages",
         ],
-        order: None,
+        order: Some(ScalarLast),
         fields: &[
             Field::Named("pitch yaw roll", &[ROTATOR]),
             Field::Named("p y r", &[ROTATOR]),
             Field::Groups(&[&[Part::Position], &[ROTATOR], &[Part::Scale]]),
         ],
+    },
+    // The same alone; with colons the letters are those of any pitch, yaw and roll.
+    Format {
+        id: "unreal",
+        name: "Unreal",
+        marks: &["~P=", "~ Y=", "~ R="],
+        order: None,
+        fields: &[Field::OnlyNamed("p y r", &[ROTATOR])],
+    },
+    // `FRotator(pitch, yaw, roll)` (Unreal).
+    Format {
+        id: "unreal",
+        name: "Unreal",
+        marks: &["~FRotator("],
+        order: None,
+        fields: &[Field::Under("FRotator", &[ROTATOR])],
+    },
+    // `Quaternion.AngleAxis(30f, new Vector3(0, 1, 0))`: degrees (Unity).
+    Format {
+        id: "unity",
+        name: "Unity",
+        marks: &["~Quaternion.AngleAxis("],
+        order: Some(ScalarLast),
+        fields: &[Field::AngleThenVector(Unit::Always(Degrees))],
+    },
+    // `Basis.from_euler(Vector3(x, y, z))`: radians, Ry Rx Rz unless an order is given (Godot).
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &["~EULER_ORDER_"],
+        order: None,
+        fields: &[Field::Under("from_euler", &[Part::Skip(3)])],
+    },
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &["~Basis.from_euler(|~Quaternion.from_euler(Vector3("],
+        order: None,
+        fields: &[Field::Under("from_euler", &[Y_X_Z])],
+    },
+    // `rotation = Quaternion(x, y, z, w)` among the properties of a node (Godot, text of a scene).
+    Format {
+        id: "godot",
+        name: "Godot",
+        marks: &[
+            "~= Quaternion(",
+            "~position = Vector3(|~scale = Vector3(|~[node|~[sub_resource",
+        ],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `[x|y|z|w]` (libGDX, `Quaternion.toString`).
+    Format {
+        id: "libgdx",
+        name: "libGDX",
+        marks: &["touching-bars"],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `llGetRot() = <x, y, z, s>` (Second Life, LSL).
+    Format {
+        id: "lsl",
+        name: "LSL",
+        marks: &["llgetrot|llgetlocalrot|llgetrootrotation|llsetrot|llsetlocalrot|lleuler2rot"],
+        order: Some(ScalarLast),
+        fields: &[],
     },
     // The basis row by row, then the origin (Godot, text of a scene).
     Format {
@@ -50,33 +116,6 @@ pub(crate) const ENGINES: &[Format] = &[
             Field::Under("Transform3D|Transform", &[Part::Rows, Part::Position]),
             Field::Under("Basis", &[Part::Rows]),
         ],
-    },
-    // Column by column (GLM, `to_string`).
-    Format {
-        id: "glm",
-        name: "GLM",
-        marks: &["mat3x3|mat4x4|dmat3x3|dmat4x4|mat3|mat4"],
-        order: None,
-        fields: &[
-            Field::Under("mat3x3|dmat3x3|mat3", &[Part::Columns]),
-            Field::Under("mat4x4|dmat4x4|mat4", &[Part::HomogeneousColumns(16)]),
-        ],
-    },
-    // `Euler {_x: 0.1, _y: 0.2, _z: 0.3, _order: 'XYZ'}`: moving axes, radians (three.js).
-    Format {
-        id: "three",
-        name: "three.js",
-        marks: &["_order|iseuler|isquaternion|isobject3d"],
-        order: Some(ScalarLast),
-        fields: &[Field::NamedUnder(
-            "Euler|rotation",
-            "x y z",
-            &[Part::Euler(
-                Angles::new("XYZ", Unit::Usually(Radians))
-                    .by_axis()
-                    .lettered(Letters::AllMove),
-            )],
-        )],
     },
     // `<Euler (x=0.1, y=0.2, z=0.3), order='XYZ'>`: fixed axes, radians (Blender, mathutils).
     Format {
@@ -112,19 +151,15 @@ pub(crate) const ENGINES: &[Format] = &[
             Field::VectorThenAngle(Unit::Usually(Radians)),
         ],
     },
-    // `rotation.toArray()` prints the angles about x, y, z and the order (three.js).
+    // `rotation_axis_angle` is the angle, then the axis (Blender, `Object`).
     Format {
-        id: "three",
-        name: "three.js",
-        marks: &["rotation", "toarray|three"],
+        id: "mathutils",
+        name: "Blender",
+        marks: &["rotation_axis_angle"],
         order: None,
         fields: &[Field::Under(
-            "toArray|rotation",
-            &[Part::Euler(
-                Angles::new("XYZ", Unit::Usually(Radians))
-                    .by_axis()
-                    .lettered(Letters::AllMove),
-            )],
+            "rotation_axis_angle",
+            &[Part::AngleAxis(Unit::Usually(Radians))],
         )],
     },
     // `Quaternion.Euler(10f, 20f, 30f)`, `eulerAngles = (10, 20, 30)`: Ry Rx Rz, degrees (Unity).
@@ -178,63 +213,6 @@ pub(crate) const ENGINES: &[Format] = &[
             &[Part::Euler(Angles::new("YXZ", Unit::Always(Radians)))],
         )],
     },
-    // `new HeadingPitchRoll(h, p, r)`: Rz(−h) Ry(−p) Rx(r), radians (CesiumJS).
-    Format {
-        id: "cesium",
-        name: "CesiumJS",
-        marks: &["headingpitchroll|heading pitch roll", "cesium"],
-        order: None,
-        fields: &[Field::Under(
-            "HeadingPitchRoll",
-            &[Part::Euler(
-                Angles::new("ZYX", Unit::Always(Radians)).signed([-1, -1, 1]),
-            )],
-        )],
-    },
-    // `mesh.rotation {X: 0.1 Y: 0.2 Z: 0.3}`: Ry Rx Rz, radians (Babylon.js).
-    Format {
-        id: "babylon",
-        name: "Babylon.js",
-        marks: &["babylon"],
-        order: None,
-        fields: &[
-            Field::NamedUnder("rotation", "x y z", &[Y_X_Z]),
-            Field::Under("rotation|FromEulerAngles", &[Y_X_Z]),
-        ],
-    },
-    // `( x y z <| angle )` and `rotationXYZ(a, b, c)`, radians (JOML).
-    Format {
-        id: "joml",
-        name: "JOML",
-        marks: &["rotationxyz|rotationzyx|rotationyxz|joml"],
-        order: Some(ScalarLast),
-        fields: &[
-            Field::Any(&[Part::UnitAxisAngle(Unit::Always(Radians))]),
-            Field::Under(
-                "rotationXYZ|rotateXYZ",
-                &[Part::Euler(Angles::new("XYZ", Unit::Always(Radians)))],
-            ),
-            Field::Under(
-                "rotationZYX|rotateZYX",
-                &[Part::Euler(Angles::new("ZYX", Unit::Always(Radians)))],
-            ),
-            Field::Under(
-                "rotationYXZ|rotateYXZ",
-                &[Part::Euler(Angles::new("YXZ", Unit::Always(Radians)))],
-            ),
-        ],
-    },
-    // `glm::quat(glm::vec3(x, y, z))`: fixed x, y, z, radians (GLM).
-    Format {
-        id: "glm",
-        name: "GLM",
-        marks: &["glm"],
-        order: None,
-        fields: &[Field::Under(
-            "quat|dquat|fquat",
-            &[Part::Euler(Angles::new("xyz", Unit::Always(Radians)))],
-        )],
-    },
     // `getHpr()`, `LVecBase3f(h, p, r)`: Rz(h) Rx(p) Ry(r), degrees (Panda3D).
     Format {
         id: "panda3d",
@@ -251,44 +229,6 @@ pub(crate) const ENGINES: &[Format] = &[
                 &[Part::Euler(Angles::new("ZXY", Unit::Always(Degrees)))],
             ),
         ],
-    },
-    // `eul = 10°, 20°, 30°`: moving z, y, z (spatialmath, printline with orient='eul').
-    Format {
-        id: "spatialmath",
-        name: "spatialmath",
-        marks: DECLARED_ONLY,
-        order: None,
-        fields: &[Field::Under(
-            "eul",
-            &[Part::Euler(Angles::new("ZYZ", Unit::Usually(Degrees)))],
-        )],
-    },
-    // `q.a = 0.8, q.b = 0.2, …`: a is the scalar (SymPy).
-    Format {
-        id: "sympy",
-        name: "SymPy",
-        marks: DECLARED_ONLY,
-        order: None,
-        fields: &[Field::Named(
-            "a b c d",
-            &[Part::Quaternion(Some(ScalarFirst))],
-        )],
-    },
-    // `Quaternion { coords: Matrix { data: [x, y, z, w] } }` (nalgebra, Debug).
-    Format {
-        id: "nalgebra",
-        name: "nalgebra",
-        marks: &["coords", "quaternion|unitquaternion|unit"],
-        order: Some(ScalarLast),
-        fields: &[],
-    },
-    // `Quat(x, y, z, w)` (Bevy and glam, Debug).
-    Format {
-        id: "glam",
-        name: "glam",
-        marks: &["~Vec3(|~Affine3A|~Transform {", "~Quat("],
-        order: Some(ScalarLast),
-        fields: &[],
     },
     // `{{x, y, z, w}, {px, py, pz}}` (OpenXR, XrPosef).
     Format {

@@ -8,6 +8,7 @@ mod cameras;
 mod devices;
 mod engines;
 mod files;
+mod graphics;
 mod plain;
 mod robots;
 mod ros;
@@ -25,6 +26,7 @@ pub(crate) const FORMATS: &[&[Format]] = &[
     cameras::CAMERAS,
     scenes::SCENES,
     engines::ENGINES,
+    graphics::GRAPHICS,
     autopilots::AUTOPILOTS,
     devices::DEVICES,
     space::SPACE,

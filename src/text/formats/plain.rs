@@ -2,11 +2,13 @@
 
 use crate::convention::angle::AngleUnit::{Degrees, Radians};
 use crate::convention::order::ComponentOrder::ScalarFirst;
-use crate::text::formats::engines::ROTATOR;
 use crate::text::record::format::{Angles, Field, Part, Unit};
 
 /// Roll, pitch and yaw by name: turns about the fixed axes x, y, z, as in ROS.
 const ROLL_PITCH_YAW: Part = Part::Euler(Angles::new("xyz", Unit::BySize));
+
+/// The same angles in another order.
+const PITCH_YAW_ROLL: Part = Part::Euler(Angles::new("xyz", Unit::BySize).placed([2, 0, 1]));
 
 /// Names of components and of angles that mean one thing wherever they stand; the longer sets first.
 pub(crate) const PLAIN: &[Field] = &[
@@ -28,8 +30,7 @@ pub(crate) const PLAIN: &[Field] = &[
         "omega phi kappa",
         &[Part::Euler(Angles::new("XYZ", Unit::BySize))],
     ),
-    // Unreal's rotator as it prints itself.
-    Field::OnlyNamed("p y r", &[ROTATOR]),
+    Field::OnlyNamed("p y r", &[PITCH_YAW_ROLL]),
     Field::OnlyNamed("r p y", &[ROLL_PITCH_YAW]),
     Field::Named(
         "m11 m12 m13 m14 m21 m22 m23 m24 m31 m32 m33 m34 m41 m42 m43 m44",
@@ -45,6 +46,7 @@ pub(crate) const PLAIN: &[Field] = &[
     Field::Named("r00 r01 r02 r10 r11 r12 r20 r21 r22", &[Part::Rows]),
     Field::Named("w x y z", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qw qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
+    Field::Named("q0 qx qy qz", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("q0 q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qc q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),
     Field::Named("qs q1 q2 q3", &[Part::Quaternion(Some(ScalarFirst))]),

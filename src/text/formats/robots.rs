@@ -22,7 +22,9 @@ pub(crate) const ROBOTS: &[Format] = &[
     Format {
         id: "kuka-abc",
         name: "KUKA",
-        marks: &["e6pos|kuka|krl|pos act|~FRAME|base data|tool data|e6axis"],
+        marks: &[
+            "e6pos|kuka|krl|pos act|~FRAME|base data|tool data|e6axis|~LIN {|~PTP {|~SLIN {|~SPTP {|~LIN_REL {|~} C_DIS|~} C_PTP",
+        ],
         order: None,
         fields: &[Field::Named("a b c", &[ZYX])],
     },
@@ -79,6 +81,14 @@ pub(crate) const ROBOTS: &[Format] = &[
             Field::Groups(&[&[Part::Position], &[Part::Quaternion(Some(ScalarFirst))]]),
         ],
     },
+    // `OrientZYX(z, y, x)`: degrees about moving z, y, x, as of `EulerZYX` (ABB RAPID).
+    Format {
+        id: "abb-quaternion",
+        name: "ABB RAPID",
+        marks: &["orientzyx"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under("OrientZYX", &[ZYX])],
+    },
     // `MovePose(x, y, z, alpha, beta, gamma)`: about moving x, y, z, degrees (Mecademic).
     Format {
         id: "staubli-rxryrz",
@@ -114,11 +124,20 @@ pub(crate) const ROBOTS: &[Format] = &[
             &[Part::Skip(2)],
         ])],
     },
-    // `POS(1000, 200, 300, -56.5, 99.4, 110.3, '')`: about moving z, y, z, degrees (Comau PDL2, POSITION).
+    // `POS(1, 2, 3, w, p, r, 'FUT000')`: flip, up and front, with the turns, are FANUC's (KAREL, POSITION).
+    Format {
+        id: "fanuc-wpr",
+        name: "FANUC",
+        marks: &["~POS(", "~'FU|~'FD|~'NU|~'ND|~'F U|~'F D|~'N U|~'N D"],
+        order: None,
+        fields: &[Field::Under("POS", &[Part::Position, FIXED_XYZ])],
+    },
+    // `POS(1000, 200, 300, -56.5, 99.4, 110.3, '')`: about moving z, y, z, degrees (Comau PDL2, POSITION); the
+    // flags of its string are S, E and W.
     Format {
         id: "comau-euler",
         name: "Comau",
-        marks: &["~POS(|comau|pdl2"],
+        marks: &["~POS(|comau|pdl2", "~'')|~'S|~'E|~'W|comau|pdl2"],
         order: None,
         fields: &[
             Field::Under("POS", &[Part::Position, ZYZ]),
@@ -176,6 +195,14 @@ pub(crate) const ROBOTS: &[Format] = &[
             Field::Named("u v w", &[ZYX]),
             Field::Named("a b c", &[ZYX]),
         ],
+    },
+    // `XY(x, y, z, u, v, w) /R /A /NF` (EPSON SPEL+).
+    Format {
+        id: "robots-rzyx",
+        name: "EPSON",
+        marks: &["~XY(", "~) /R|~) /L"],
+        order: None,
+        fields: &[Field::Under("XY", &[Part::Position, ZYX])],
     },
     // Moving x, y, z, degrees (a vision vendor's table).
     Format {

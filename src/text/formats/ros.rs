@@ -23,6 +23,54 @@ pub(crate) const ROS: &[Format] = &[
             Field::Under("rpy", &[ROLL_PITCH_YAW]),
         ],
     },
+    // `Setting goal: Frame:map, Position(x, y, z), Orientation(x, y, z, w) = Angle: 1.2` (RViz, tool of goals).
+    Format {
+        id: "ros-geometry-msgs",
+        name: "RViz",
+        marks: &["~Setting goal", "~Frame:", "~Orientation("],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `Orientation  x; y; z; w` of a row of a display (RViz, tree of TF).
+    Format {
+        id: "ros-geometry-msgs",
+        name: "RViz",
+        marks: &["~Orientation\t|~Orientation ", "~; "],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `(trans, rot) = listener.lookupTransform(…)` (tf, listener.py).
+    Format {
+        id: "tf-transformations",
+        name: "tf",
+        marks: &["lookuptransform"],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `sim.getObjectQuaternion(h, -1)` gives x, y, z, w (CoppeliaSim, API).
+    Format {
+        id: "coppeliasim",
+        name: "CoppeliaSim",
+        marks: &["getobjectquaternion|simxgetobjectquaternion|simgetobjectquaternion"],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
+    // `r.as_quat()` gives x, y, z, w unless it is told otherwise (SciPy, Rotation); what holds the call may put
+    // them in another order.
+    Format {
+        id: "scipy-scalar-first",
+        name: "SciPy",
+        marks: &["~.as_quat(scalar_first=True)\n"],
+        order: Some(ScalarFirst),
+        fields: &[],
+    },
+    Format {
+        id: "scipy",
+        name: "SciPy",
+        marks: &["~.as_quat()\n|~.as_quat() = |~.as_quat(): "],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
     // `euler_from_quaternion(q)` prints roll, pitch, yaw in radians (tf.transformations, transformations.py).
     Format {
         id: "tf-transformations",

@@ -5,6 +5,11 @@ use crate::convention::order::ComponentOrder::{ScalarFirst, ScalarLast};
 use crate::text::formats::engines::Y_X_Z_DEGREES;
 use crate::text::record::format::{Angles, Field, Format, Part, Unit};
 
+/// Degrees about the fixed axes x, y and z, which turn in this order.
+const fn usd_angles(sequence: &'static str) -> Part {
+    Part::Euler(Angles::new(sequence, Unit::Always(Degrees)).by_axis())
+}
+
 pub(crate) const SCENES: &[Format] = &[
     // Twelve numbers, the x axis first and the translation last (3MF, transform).
     Format {
@@ -38,11 +43,22 @@ pub(crate) const SCENES: &[Format] = &[
         order: Some(ScalarFirst),
         fields: &[
             Field::Under("matrix4d|transform", &[Part::HomogeneousColumns(16)]),
-            Field::Under(
-                "rotateXYZ",
-                &[Part::Euler(Angles::new("xyz", Unit::Always(Degrees)))],
-            ),
+            Field::Under("rotateXYZ", &[usd_angles("xyz")]),
+            // The angles about x, y, z whatever turns first.
+            Field::Under("rotateXZY", &[usd_angles("xzy")]),
+            Field::Under("rotateYXZ", &[usd_angles("yxz")]),
+            Field::Under("rotateYZX", &[usd_angles("yzx")]),
+            Field::Under("rotateZXY", &[usd_angles("zxy")]),
+            Field::Under("rotateZYX", &[usd_angles("zyx")]),
         ],
+    },
+    // `Gf.Rotation(Gf.Vec3d(x, y, z), angle)`: degrees (OpenUSD).
+    Format {
+        id: "usd",
+        name: "USD",
+        marks: &["~Gf.Rotation(|~GfRotation("],
+        order: Some(ScalarFirst),
+        fields: &[Field::VectorThenAngle(Unit::Always(Degrees))],
     },
     // Position first, then nine numbers row by row (Roblox, CFrame.new).
     Format {
@@ -51,6 +67,25 @@ pub(crate) const SCENES: &[Format] = &[
         marks: &["cframe"],
         order: Some(ScalarLast),
         fields: &[Field::Under("cframe", &[Part::Position, Part::Rows])],
+    },
+    // `<RotationAxis>0 0 1 90</RotationAxis>`: degrees (OpenRAVE, XML format).
+    Format {
+        id: "openrave",
+        name: "OpenRAVE",
+        marks: &["<rotationaxis"],
+        order: Some(ScalarFirst),
+        fields: &[Field::Under(
+            "RotationAxis",
+            &[Part::AxisAngle(Unit::Always(Degrees))],
+        )],
+    },
+    // `"unitQuaternion": [x, y, z, w]` (CZML).
+    Format {
+        id: "cesium",
+        name: "CZML",
+        marks: &["~\"unitQuaternion\""],
+        order: Some(ScalarLast),
+        fields: &[],
     },
     // `axis angle`, radians (VRML, X3D, Webots: SFRotation).
     Format {

@@ -44,6 +44,8 @@ pub(crate) enum Field {
     Groups(&'static [&'static [Part]]),
     /// Three numbers of an axis, and the angle behind their bracket.
     VectorThenAngle(Unit),
+    /// The angle, and three numbers of an axis in brackets behind it.
+    AngleThenVector(Unit),
     /// The names of what commas divide in a sentence that begins so: `$PASHR,…`.
     Sentence(&'static str, &'static [&'static str]),
     /// Such a row that commas divide.
@@ -68,6 +70,9 @@ pub(crate) enum Part {
     Quaternion(Option<ComponentOrder>),
     Euler(Angles),
     RotationVector(AngleUnit),
+    ModifiedRodrigues,
+    /// The vector of a quaternion of norm 1 whose scalar is not negative.
+    Imaginary,
     /// Three numbers of an axis, and the angle.
     AxisAngle(Unit),
     /// The same under a name that others use of a quaternion: the axis has length 1, and the four have not.
@@ -80,7 +85,8 @@ pub(crate) enum Part {
     Rows,
     /// Nine numbers column by column.
     Columns,
-    /// Twelve or sixteen numbers row by row, the translation in the last column.
+    /// Twelve or sixteen numbers row by row, the translation in the last column; of fifteen each row has its
+    /// number and the translation before the rotation.
     HomogeneousRows(u8),
     /// Twelve or sixteen numbers column by column.
     HomogeneousColumns(u8),
@@ -130,6 +136,8 @@ pub(crate) enum Letters {
     AllMove,
     /// None of them, as in Blender.
     AllFixed,
+    /// Whatever they are: the name of a call has its own sequence, as `RotationYawPitchRoll` about y, x, z.
+    Ignored,
 }
 
 impl Angles {
@@ -180,7 +188,9 @@ impl Part {
             | Self::Centre
             | Self::Scale
             | Self::Euler(_)
-            | Self::RotationVector(_) => 3,
+            | Self::RotationVector(_)
+            | Self::ModifiedRodrigues
+            | Self::Imaginary => 3,
             Self::Quaternion(_)
             | Self::ScaledQuaternion(_)
             | Self::AxisAngle(_)

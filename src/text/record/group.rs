@@ -6,6 +6,7 @@ use crate::text::record::meaning::may_compute;
 use crate::text::record::named::named;
 use crate::text::record::outline::{Kind, Member};
 use crate::text::record::quantity::{Group, Named, Value, is_named};
+use crate::text::record::remark::remark_behind;
 use crate::text::record::rows::{with_listed_names, with_repeated, with_rows_by_name};
 
 /// All quantities of a text.
@@ -78,6 +79,7 @@ impl<'t> Quantities<'t> {
                             unit: alike.iter().find_map(unit),
                             has_commas: true,
                             is_line: false,
+                            remark: "",
                         });
                         at += count;
                     }
@@ -126,6 +128,34 @@ impl<'t> Quantities<'t> {
         group.rows = vec![first];
         group.span = rows[0];
         rows
+    }
+
+    /// How many numbers stand together, or have names together, at most.
+    pub(crate) fn most_numbers(&self) -> usize {
+        let mut most = 0;
+        for group in &self.groups {
+            most = most.max(group.numbers.len());
+        }
+        for named in &self.named {
+            most = most.max(named.members.len());
+        }
+        most
+    }
+
+    /// With what is said behind them in their lines.
+    pub(crate) fn take_remarks(&mut self, text: &'t str) {
+        let behind = |end: usize| {
+            let remark = remark_behind(text, end);
+            &text[remark.start..remark.end]
+        };
+        for group in &mut self.groups {
+            group.remark = behind(group.span.end);
+        }
+        for named in &mut self.named {
+            if let Some(last) = named.members.last() {
+                named.remark = behind(last.span.end);
+            }
+        }
     }
 
     /// With the groups of a table in place of those that stand inside it.
@@ -229,6 +259,7 @@ fn group_of<'t>(run: &[Member<'t>], path: Vec<&'t str>, scope: usize) -> Group<'
         unit: run.iter().find_map(unit),
         has_commas: run[1..].iter().any(|member| member.follows_comma),
         is_line: false,
+        remark: "",
     }
 }
 
@@ -244,7 +275,9 @@ fn number(member: &Member<'_>) -> Option<f64> {
 fn alike(members: &[Member<'_>]) -> Option<(usize, Vec<f64>, Vec<usize>)> {
     let (mut numbers, mut rows) = pure(&members[0])?;
     let mut count = 1;
-    if rows.len() == 1 {
+    // What follows a call of three numbers is something else: `RollPitchYaw(0.1, 0.2, 0.3), [1, 2, 3]`.
+    let is_call = members[0].is_call && numbers.len() == 3;
+    if rows.len() == 1 && !is_call {
         for next in &members[1..] {
             if next.kind != Kind::Scope || !next.key.is_empty() || next.follows_bar {
                 break;

@@ -1,12 +1,11 @@
 //! What the name of numbers says that they are.
 
-use crate::character::{
-    is_alphabetic, is_alphanumeric, is_capital, is_digit, is_of_name, parts_words,
-};
+use crate::character::{is_alphanumeric, is_digit, is_of_name, parts_words};
 use crate::convention::angle::AngleUnit;
-use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
+use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::text::record::names::{is_holder, words_of};
+use crate::text::record::sequences::sequence_of;
 use crate::text::vocabulary::constructors::{Call, call, is_matrix, order_in_name};
 use crate::text::vocabulary::is_listed;
 use crate::text::vocabulary::labels::is_derived;
@@ -97,7 +96,7 @@ const ROLES: &[(Role, &str)] = &[
     ),
     (
         Role::Derived,
-        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv delta",
+        "inverse inv inverted transpose transposed conj conjugate dot derivative qdot qinv delta dq residual drift",
     ),
 ];
 
@@ -137,6 +136,25 @@ impl Meaning {
             meaning.take(key);
         }
         meaning
+    }
+
+    /// With what is said behind the numbers, where their names do not say it.
+    pub(crate) fn with_remark(mut self, remark: &str) -> Self {
+        if remark.is_empty() {
+            return self;
+        }
+        let words = words_of(remark);
+        let mut letters = String::new();
+        for word in &words {
+            letters.push_str(word.trim_start_matches('q'));
+        }
+        let order = order_in_name(&letters).or_else(|| order_in_prose(&words));
+        self.order = self.order.or(order);
+        for word in &words {
+            self.unit = self.unit.or_else(|| AngleUnit::named(word));
+            self.by_columns |= matches!(word.as_str(), "column" | "columns" | "columnmajor");
+        }
+        self
     }
 
     fn take(&mut self, key: &str) {
@@ -183,7 +201,7 @@ impl Meaning {
         // Of a line that was typed at a prompt no two words are one name.
         let derived = key
             .split(|mark: char| !is_alphanumeric(mark) && !"_.'ᵀ".contains(mark))
-            .any(is_derived)
+            .any(|name| is_derived(name) && !name.contains(WITH_COVARIANCE))
             || words
                 .iter()
                 .any(|word| role_of_word(word) == Some(Role::Derived));
@@ -264,6 +282,23 @@ impl Meaning {
     }
 }
 
+/// `scalar part last`, `where the last entry is the scalar`
+fn order_in_prose(words: &[String]) -> Option<ComponentOrder> {
+    let has = |own: &str| words.iter().any(|word| word == own);
+    match (
+        has("scalar") || has("real") || has("w"),
+        has("first"),
+        has("last"),
+    ) {
+        (true, true, false) => Some(ComponentOrder::ScalarFirst),
+        (true, false, true) => Some(ComponentOrder::ScalarLast),
+        _ => None,
+    }
+}
+
+/// A type of ROS that has a covariance beside what it names.
+const WITH_COVARIANCE: &str = "WithCovariance";
+
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {
     match key.split_once('(') {
@@ -295,84 +330,4 @@ pub(crate) fn may_compute(key: &str) -> bool {
         || is_matrix(last)
         || is_holder(last);
     last.starts_with(|first: char| first.is_ascii_lowercase()) && !is_known
-}
-
-/// The sequence of Euler angles in a name: `rpy`, `Yaw-Pitch-Roll`, `euler_zyx`, `intrinsic XYZ`.
-fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> {
-    let joined = words.join("");
-    for (name, sequence) in [
-        ("rollpitchyaw", EulerSequence::ROLL_PITCH_YAW),
-        ("rpy", EulerSequence::ROLL_PITCH_YAW),
-        ("yawpitchroll", EulerSequence::AEROSPACE),
-        ("ypr", EulerSequence::AEROSPACE),
-    ] {
-        if joined.contains(name) {
-            return Some(sequence);
-        }
-    }
-    if let Some(sequence) = primed(key) {
-        return Some(sequence);
-    }
-    let frame = words.iter().find_map(|word| match word.as_str() {
-        "intrinsic" | "moving" | "rotating" => Some(EulerFrame::Intrinsic),
-        "extrinsic" | "fixed" | "static" => Some(EulerFrame::Extrinsic),
-        _ => None,
-    });
-    // `as_euler('zyx')`, `quat2eul(q, 'ZYZ')`, `mat2euler(M, 'rzxz')`: the letters are those of the library.
-    let quoted = key
-        .split(['\'', '"'])
-        .skip(1)
-        .step_by(2)
-        .find_map(quoted_sequence);
-    if quoted.is_some() {
-        return quoted;
-    }
-    let is_euler = words.iter().any(|word| word.starts_with("eul"));
-    let letters = key
-        .split(parts_words)
-        .find(|word| word.len() == 3 && word.parse::<EulerSequence>().is_ok())?;
-    let sequence: EulerSequence = letters.parse().ok()?;
-    match frame {
-        Some(frame) => Some(EulerSequence { frame, ..sequence }),
-        // Capitals in a name are moving axes; small letters there may be only the style of names.
-        None if is_euler && letters.starts_with(is_capital) => Some(sequence),
-        None => None,
-    }
-}
-
-/// The sequence of letters that are quoted: of three, or of `transforms3d` with s or r before them.
-fn quoted_sequence(letters: &str) -> Option<EulerSequence> {
-    let (frame, axes) = match letters.split_at_checked(1)? {
-        ("s", axes) if axes.len() == 3 => (Some(EulerFrame::Extrinsic), axes),
-        ("r", axes) if axes.len() == 3 => (Some(EulerFrame::Intrinsic), axes),
-        _ => (None, letters),
-    };
-    let sequence: EulerSequence = axes.parse().ok()?;
-    Some(EulerSequence {
-        frame: frame.unwrap_or(sequence.frame),
-        ..sequence
-    })
-}
-
-/// Axes that move by their primes: `Z-Y'-X''`, `[X,Y',Z'']`.
-fn primed(key: &str) -> Option<EulerSequence> {
-    const PRIMES: [char; 4] = ['\'', '′', '’', '″'];
-    // Each axis with the count of its primes.
-    let mut axes: Vec<(char, usize)> = Vec::new();
-    for mark in key.chars() {
-        match axes.last_mut() {
-            Some((_, count)) if PRIMES.contains(&mark) => {
-                *count += if mark == '″' { 2 } else { 1 }
-            }
-            _ if is_alphabetic(mark) => axes.push((mark, 0)),
-            _ => {}
-        }
-    }
-    axes.windows(3).find_map(|axes| match axes {
-        &[(first, 0), (second, 1), (third, 2)] => {
-            let letters: String = [first, second, third].iter().collect();
-            letters.to_ascii_uppercase().parse().ok()
-        }
-        _ => None,
-    })
 }

@@ -44,11 +44,17 @@ mod parts;
 // Runs of numbers, and single numbers by name.
 mod quantity;
 
+// What is said outside of names.
+mod remark;
+
 // Numbers that are rows of one matrix by name.
 mod rows;
 
 // Any text to tokens.
 mod scan;
+
+// Sequences of Euler angles in names.
+mod sequences;
 
 // What words say of all numbers.
 mod settings;
@@ -63,6 +69,7 @@ mod table;
 mod turns;
 
 use crate::convention::angle::AngleUnit;
+use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
 use crate::problem::Span;
 use crate::text::description::ParsedRotation;
@@ -73,6 +80,10 @@ use crate::text::record::group::Quantities;
 use crate::text::record::names::{identifiers_of, words_of};
 use crate::text::record::outline::outline;
 use crate::text::record::parts::Made;
+use crate::text::record::remark::{code_above, remark_behind};
+pub(crate) use crate::text::record::remark::{
+    made_above, made_by_code, made_by_remark, marked_label,
+};
 use crate::text::record::scan::{Token, scan};
 use crate::text::record::settings::{
     Settings, has_duplicate, is_balanced, is_plain, unknown_orientation,
@@ -94,6 +105,10 @@ pub(crate) struct RecordRotation {
     pub(crate) format: Option<&'static Format>,
     /// What divides the rows of nine numbers.
     pub(crate) has_rows: bool,
+    /// What is said behind it in its line.
+    pub(crate) remark: Span,
+    /// The line of code above that printed it.
+    pub(crate) code: Option<Span>,
 }
 
 /// What else stands in a record.
@@ -113,13 +128,27 @@ pub(crate) struct Beside {
     pub(crate) is_in_world: bool,
 }
 
+/// Three Euler angles of which no sequence is told.
+#[derive(Clone, Debug)]
+pub(crate) struct LooseAngles {
+    pub(crate) label: String,
+    pub(crate) span: Span,
+    pub(crate) numbers: [f64; 3],
+    /// As far as it is told.
+    pub(crate) unit: Option<AngleUnit>,
+}
+
 /// What was found in a text.
 #[derive(Debug)]
 pub(crate) struct Record {
     pub(crate) rotations: Vec<RecordRotation>,
     pub(crate) beside: Vec<Beside>,
+    /// Euler angles of which no sequence is told.
+    pub(crate) angles: Vec<LooseAngles>,
     /// How many quantities stand in the text: numbers that stand together, or that have names together.
     pub(crate) quantities: usize,
+    /// How many numbers stand together, or have names together, at most.
+    pub(crate) most_numbers: usize,
     /// The rows of a file where there are several.
     pub(crate) rows: Vec<Span>,
     /// The names above them.
@@ -184,11 +213,17 @@ pub(crate) fn record_of(
     if rows.is_empty() {
         rows = quantities.take_first_row(text);
     }
+    quantities.take_remarks(text);
     let mut settings = Settings::of(&quantities.values);
+    let is_sequence = |span: Span| text[span.start..span.end].parse::<EulerSequence>().is_ok();
     // `degrees='1'`
     for named in &quantities.named {
         for number in &named.members {
             match number.name.as_str() {
+                // `Sequence = '321'`
+                "sequence" if is_sequence(number.span) => {
+                    settings.letters = Some(text[number.span.start..number.span.end].to_owned());
+                }
                 "order" | "layout" | "sequence" => settings.is_doubtful |= number.value >= 100.0,
                 "first" => settings.is_doubtful = true,
                 "degrees" if number.value == 1.0 => settings.unit = Some(AngleUnit::Degrees),
@@ -233,20 +268,22 @@ pub(crate) fn record_of(
     let mut record = Record {
         rotations: Vec::new(),
         beside: Vec::new(),
+        angles: Vec::new(),
         quantities: quantities.groups.len() + quantities.named.len(),
+        most_numbers: quantities.most_numbers(),
         rows,
         head,
         unknown_orientation: unknown_orientation(&quantities),
     };
     for found in all {
-        record.take(found, is_doubtful);
+        record.take(text, found, is_doubtful);
     }
     record
 }
 
 impl Record {
     /// Takes what was found; rotations in doubt are none.
-    fn take(&mut self, found: Found, is_doubtful: bool) {
+    fn take(&mut self, text: &str, found: Found, is_doubtful: bool) {
         let is_in_world = matches!(found.made, Made::Centre(_));
         let (rotation, by_columns) = match found.made {
             Made::Rotation(rotation) => (rotation, false),
@@ -267,6 +304,14 @@ impl Record {
                     is_in_world,
                 });
             }
+            Made::Angles(numbers, unit) => {
+                return self.angles.push(LooseAngles {
+                    label: found.label,
+                    span: found.span,
+                    numbers,
+                    unit,
+                });
+            }
             Made::Nothing => return,
         };
         if is_doubtful || self.rotations.len() >= MOST_ROTATIONS {
@@ -280,6 +325,8 @@ impl Record {
             is_derived: found.is_derived || found.is_computed,
             format: found.format,
             has_rows: found.has_rows,
+            remark: remark_behind(text, found.span.end),
+            code: code_above(text, found.span.start),
         });
     }
 }

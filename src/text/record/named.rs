@@ -44,6 +44,7 @@ pub(crate) fn named<'t>(groups: &[Group<'t>]) -> Vec<Named<'t>> {
                 members: vec![member],
                 scope: group.scope,
                 others_have_stem: false,
+                remark: "",
             });
         }
     }

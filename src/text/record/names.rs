@@ -157,7 +157,7 @@ pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
 
 /// Whether a name says no more than that it holds numbers.
 pub(crate) fn is_holder(key: &str) -> bool {
-    const HOLDERS: &str = "array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
+    const HOLDERS: &str = "new array list tuple vector vector3 vec3 vec3f vec4 lvecbase3f double3 float3 data values value \
                            np numpy glm tensor torch matrix3 float32array float64array jnp eigen f32 f64 double float coords";
     identifiers_of(key).all(|word| is_listed(&word, HOLDERS))
 }

@@ -19,7 +19,7 @@ pub(crate) fn of_group(
     fields: &[Asked],
     all: &mut Vec<Found>,
 ) {
-    let meaning = Meaning::of(&group.path);
+    let meaning = Meaning::of(&group.path).with_remark(group.remark);
     let said = Said {
         unit: group.unit.or(meaning.unit).or(context.unit),
         ..context.said(&meaning)
@@ -36,6 +36,7 @@ pub(crate) fn of_group(
             | Field::OnlyNamed(..)
             | Field::Groups(_)
             | Field::VectorThenAngle(_)
+            | Field::AngleThenVector(_)
             | Field::Sentence(..) => continue,
         };
         if is_it && let Some(made) = made(parts, &group.numbers, said) {
@@ -131,18 +132,20 @@ fn of_groups(
     Some(all)
 }
 
-/// An axis in brackets and the angle behind them: `(Vector((0, 0, 1)), 0.5)`.
+/// An axis in brackets and the angle behind or before them: `(Vector((0, 0, 1)), 0.5)`.
 pub(crate) fn vector_then_angle(
     quantities: &Quantities<'_>,
     context: &Context,
     fields: &[Asked],
 ) -> Option<Found> {
     for (field, format) in fields {
-        let Field::VectorThenAngle(unit) = field else {
-            continue;
+        let (unit, at, angle_at) = match field {
+            Field::VectorThenAngle(unit) => (unit, 0, 1),
+            Field::AngleThenVector(unit) => (unit, 1, 0),
+            _ => continue,
         };
         for pair in quantities.groups.windows(2) {
-            let (axis, angle) = (&pair[0], &pair[1]);
+            let (axis, angle) = (&pair[at], &pair[angle_at]);
             if axis.numbers.len() != 3 || angle.numbers.len() != 1 {
                 continue;
             }
@@ -153,7 +156,7 @@ pub(crate) fn vector_then_angle(
                     made: made.pop()?,
                     is_computed: axis.is_computed || angle.is_computed,
                     format: *format,
-                    ..Found::at(axis.span.to(angle.span))
+                    ..Found::at(pair[0].span.to(pair[1].span))
                 });
             }
         }
@@ -215,6 +218,7 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, said: Said<'_>) -> Vec<Made> {
             let angles = Angles::new("ZYX", Unit::BySize);
             parts(&[Part::Euler(angles)]).unwrap_or(none)
         }
+        (3, Some(Role::Euler)) => three.map_or(none, |three| vec![Made::Angles(three, said.unit)]),
         (3, Some(Role::RotationVector)) => {
             let unit = said
                 .unit

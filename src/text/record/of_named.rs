@@ -20,7 +20,7 @@ pub(crate) fn of_named(
 ) {
     let mut path = named.path.clone();
     path.push(&named.stem);
-    let meaning = Meaning::of(&path);
+    let meaning = Meaning::of(&path).with_remark(named.remark);
     // `mrp roll=1 …`, `velocity: {x: …, w: …}`, `XYZ roll=…`: what stands before the names denies them.
     let is_sequence = |word: &str| word.parse::<EulerSequence>().is_ok();
     if meaning.role == Some(Role::Rate) || named.stem.split(' ').any(is_sequence) {

@@ -43,6 +43,8 @@ pub(crate) enum Made {
     /// Where the body is, in the world.
     Centre([f64; 3]),
     Scale([f64; 3]),
+    /// Euler angles of which no sequence is told.
+    Angles([f64; 3], Option<AngleUnit>),
     Nothing,
 }
 
@@ -103,6 +105,16 @@ fn one(part: Part, numbers: &[f64], said: Said<'_>) -> Option<Made> {
             let unit = said.unit.unwrap_or(unit);
             Made::Rotation(rotation_vector(three()?, UnitSource::Written(unit)))
         }
+        Part::ModifiedRodrigues => {
+            Made::Rotation(ParsedRotation::ModifiedRodrigues(three()?.into()))
+        }
+        Part::Imaginary => {
+            let [x, y, z] = three()?;
+            let scalar_squared = 1.0 - Vector3::new(x, y, z).norm_squared();
+            let scalar = scalar_squared.max(0.0).sqrt();
+            let order = (ComponentOrder::ScalarFirst, OrderSource::Format);
+            Made::Rotation(quaternion(&[scalar, x, y, z], order)?)
+        }
         Part::AxisAngle(unit) => axis_angle(&numbers[..3], numbers[3], unit, said)?,
         Part::UnitAxisAngle(unit) => {
             let length = |numbers: &[f64]| {
@@ -160,10 +172,10 @@ pub(crate) fn quaternion(
 }
 
 fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRotation> {
-    let sequence: EulerSequence = match (said.sequence, said.letters) {
-        (Some(sequence), _) => sequence,
-        (None, Some(letters)) => told_sequence(letters, angles.letters)?,
-        (None, None) => angles.sequence.parse().ok()?,
+    let sequence: EulerSequence = match (angles.letters, said.sequence, said.letters) {
+        (Letters::Ignored, ..) | (_, None, None) => angles.sequence.parse().ok()?,
+        (_, Some(sequence), _) => sequence,
+        (_, None, Some(letters)) => told_sequence(letters, angles.letters)?,
     };
     let places = match angles.places {
         Places::Listed([one, two, three]) => {
@@ -193,7 +205,7 @@ fn told_sequence(written: &str, letters: Letters) -> Option<EulerSequence> {
         return None;
     }
     let frame = match (letters, sequence.frame) {
-        (Letters::CapitalsMove, frame) => frame,
+        (Letters::CapitalsMove | Letters::Ignored, frame) => frame,
         (Letters::AllMove, _) | (Letters::SmallMove, EulerFrame::Extrinsic) => {
             EulerFrame::Intrinsic
         }
@@ -251,12 +263,13 @@ pub(crate) fn orthonormal(matrix: Matrix3<f64>) -> Option<Matrix3<f64>> {
     (error <= NEARLY_ORTHONORMAL).then_some(matrix)
 }
 
-/// Twelve or sixteen numbers: the rotation, and the translation where there is one.
+/// Twelve, fifteen or sixteen numbers: the rotation, and the translation where there is one.
 fn homogeneous(part: Part, numbers: &[f64]) -> Option<Vec<Made>> {
     let is_columns = matches!(part, Part::HomogeneousColumns(_));
     // Column by column twelve numbers are four columns of three, sixteen four of four.
     let entry = |row: usize, column: usize| {
         let at = match (is_columns, numbers.len()) {
+            (false, 15) => 5 * row + [2, 3, 4, 1][column],
             (false, _) => 4 * row + column,
             (true, 12) => 3 * column + row,
             (true, _) => 4 * column + row,

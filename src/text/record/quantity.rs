@@ -28,6 +28,8 @@ pub(crate) struct Group<'t> {
     pub(crate) has_commas: bool,
     /// Whether it stands in a line, in no brackets.
     pub(crate) is_line: bool,
+    /// What is said behind it in its line.
+    pub(crate) remark: &'t str,
 }
 
 impl<'t> Group<'t> {
@@ -46,6 +48,7 @@ impl<'t> Group<'t> {
             unit: None,
             has_commas: false,
             is_line: false,
+            remark: "",
         }
     }
 }
@@ -68,6 +71,8 @@ pub(crate) struct Named<'t> {
     pub(crate) scope: usize,
     /// Whether more than the first have the stem.
     pub(crate) others_have_stem: bool,
+    /// What is said behind the last of them in its line.
+    pub(crate) remark: &'t str,
 }
 
 /// A number by name.

@@ -95,6 +95,11 @@ impl Settings {
             self.is_doubtful |= told.is_some() && self.unit.is_some() && told != self.unit;
             self.unit = self.unit.or(told);
         }
+        // `# angles in degrees`
+        if value.key.is_empty() && value.text.starts_with("angles in ") {
+            let last = value.text.rsplit(' ').next().unwrap_or("");
+            self.unit = self.unit.or_else(|| AngleUnit::named(last));
+        }
         // `toArray()` of three.js and the `repr` of Blender: `(0.1, 0.2, 0.3, 'XYZ')`.
         let is_alone = value.key.is_empty()
             && value.text.len() == 3

@@ -20,6 +20,8 @@ const CONSTRUCTORS: &[(&str, ComponentOrder)] = &[
     ("tf.Quaternion", ScalarLast),
     ("tf2.Quaternion", ScalarLast),
     ("btQuaternion", ScalarLast),
+    // Unreal
+    ("FQuat", ScalarLast),
     ("KDL.Rotation.Quaternion", ScalarLast),
     ("PyKDL.Rotation.Quaternion", ScalarLast),
     ("Rot3.Quaternion", ScalarFirst),

@@ -68,6 +68,10 @@ pub(crate) enum Derived {
     Function,
     /// Several of them, each in three numbers.
     Several,
+    /// An error, what is left between two.
+    Difference,
+    /// A dual quaternion, which moves too.
+    Dual,
 }
 
 impl Derived {
@@ -81,6 +85,8 @@ impl Derived {
             Self::Spread => "a variance, a noise or a bias",
             Self::Function => "a logarithm or a root",
             Self::Several => "several rotations",
+            Self::Difference => "an error or a difference",
+            Self::Dual => "a dual quaternion",
         }
     }
 }
@@ -102,8 +108,13 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ),
     ("jpl shuster", LabelWord::Handedness(Handedness::Left)),
     (
-        "lefthanded lefthand lhs lefthandedness leftcoordinates",
+        "lefthanded lefthand lhs lefthandedness leftcoordinates clockwise",
         LabelWord::LeftHanded,
+    ),
+    // What leads to the camera.
+    (
+        "viewmatrix viewmat",
+        LabelWord::Direction(Direction::WorldToBody),
     ),
     (
         "inv inverse inverted minus1",
@@ -123,7 +134,7 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ),
     (
         "dot ddot deriv derivative omegaq qomega omegaquat rate rates vel velocity velocities speed speeds acceleration \
-         accelerations gradient grad jacobian hessian",
+         accelerations persecond persec gradient grad jacobian hessian",
         LabelWord::Derived(Derived::Rate),
     ),
     (
@@ -134,6 +145,12 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         "logq logquat qlog quatlog lnq sqrtq sqrtquat qsqrt quatsqrt logr logrotation sqrtr",
         LabelWord::Derived(Derived::Function),
     ),
+    (
+        "qerr qerror errq errorq quaterror quaternionerror errorquaternion attitudeerror rotationerror orientationerror \
+         residualrotation rotationresidual residualquaternion driftquaternion qdiff qdelta deltaq deltaquat deltaquaternion",
+        LabelWord::Derived(Derived::Difference),
+    ),
+    ("dualquaternion dualquat", LabelWord::Derived(Derived::Dual)),
     (
         "rvecs rotvecs eulers rpys",
         LabelWord::Derived(Derived::Several),
@@ -146,8 +163,13 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
     ("elements", LabelWord::Elements),
     (
         "rotation rotations rot orientation orientations attitude quaternion quaternions quat quats q \
-         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading",
+         rpy ypr euler rotvec rvec rodrigues mrp gibbs dcm heading modelview",
         LabelWord::Rotation,
+    ),
+    // The attitude of Basilisk.
+    (
+        "sigmabn",
+        LabelWord::Quantity("three modified Rodrigues parameters"),
     ),
     (
         "rgb rgba rgbw bgr bgra argb hsv hsl color colors colour colours albedo tint diffuse specular \
@@ -189,7 +211,7 @@ pub(super) const WORDS: &[(&str, LabelWord)] = &[
         LabelWord::Quantity("a mass or an inertia"),
     ),
     (
-        "confusion adjacency permutation stiffness correlation affinity similarity",
+        "stress strain metric iron cell triangle triangles confusion adjacency permutation stiffness correlation affinity similarity",
         LabelWord::Quantity("another matrix"),
     ),
     (

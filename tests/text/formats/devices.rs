@@ -112,6 +112,18 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("Xsens"),
+        library: None,
+        text: "PacketCounter,SampleTimeFine,Euler_X,Euler_Y,Euler_Z\n1,3120774,-172.9655,-36.5637,-133.2355",
+        rotation: [
+            -0.264269948897,
+            -0.393786280776,
+            0.862268463486,
+            -0.177726914284,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

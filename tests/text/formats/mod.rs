@@ -10,6 +10,8 @@ mod cameras;
 mod devices;
 mod engines;
 mod files;
+mod graphics;
+mod left_open;
 mod plain;
 mod robots;
 mod ros;

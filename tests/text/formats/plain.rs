@@ -107,6 +107,66 @@ const PRINTED: &[Printed] = &[
         rotation: [0.615167111406, 0.24790217503, 0.17990486163, 0.726462784609],
         position: None,
     },
+    Printed {
+        format: None,
+        library: None,
+        text: "Gimbal P: -12.5 Y: 71.25 R: 33.0",
+        rotation: [
+            0.756730979887,
+            0.290289953896,
+            0.0796013773745,
+            0.580304736726,
+        ],
+        position: None,
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "X_WO = RigidTransform(RollPitchYaw(-0.32, 1.02, -1.54), [0.5, -0.2, 1.1])",
+        rotation: [
+            0.672692097751,
+            0.235675502037,
+            0.442784720792,
+            -0.543952286875,
+        ],
+        position: None,
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "view matrix:\n0.3624310 0.8974228 0.2515476 0.5\n-0.6442703 0.4362671 -0.6281614 -1.5\n-0.6734683 0.0656005 0.7362996 2.25\n0 0 0 1",
+        rotation: [
+            0.796083797838,
+            -0.217867113569,
+            -0.290489480701,
+            0.484149118812,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "q0 = -0.612372 qx = 0.231455 qy = 0.433013 qz = 0.619657",
+        rotation: [
+            -0.612357934536,
+            0.231449683751,
+            0.433003054201,
+            0.619642767209,
+        ],
+        position: None,
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "QUAT (W X Y Z) =  -6.12372D-01  2.31455D-01  4.33013D-01  6.19657D-01",
+        rotation: [
+            -0.612357934536,
+            0.231449683751,
+            0.433003054201,
+            0.619642767209,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

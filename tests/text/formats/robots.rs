@@ -244,6 +244,54 @@ const PRINTED: &[Printed] = &[
         ],
         position: Some([-0.088, 1.874, -1.333]),
     },
+    Printed {
+        format: Some("FANUC"),
+        library: None,
+        text: "POS(310.5, -120.25, 95, -56.5, 39.4, 110.3, 'FUT000')",
+        rotation: [
+            0.342967548749,
+            -0.498326045475,
+            -0.196012838607,
+            0.771766402487,
+        ],
+        position: Some([310.5, -120.25, 95.0]),
+    },
+    Printed {
+        format: Some("KUKA"),
+        library: None,
+        text: "LIN {X 403.5,Y 393.0,Z 157.8,A -32.161,B -11.856,C 42.547} C_DIS",
+        rotation: [
+            0.900989718732,
+            0.320102492002,
+            -0.192434876044,
+            -0.220727750489,
+        ],
+        position: Some([403.5, 393.0, 157.8]),
+    },
+    Printed {
+        format: Some("ABB RAPID"),
+        library: None,
+        text: "p10.rot := OrientZYX(-111.7, 30.2, -17.4);",
+        rotation: [
+            0.568352697784,
+            0.131125162397,
+            0.265411484895,
+            -0.767683623893,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("EPSON"),
+        library: None,
+        text: "P1 = XY(-63.9, -81.3, 513.6, -94.125, -16.479, 120.042) /R /A /NF",
+        rotation: [
+            0.427750960493,
+            0.531545059624,
+            -0.676383843476,
+            -0.27747767779,
+        ],
+        position: Some([-63.9, -81.3, 513.6]),
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -172,6 +172,97 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("RViz"),
+        library: None,
+        text: "[ INFO] [1672531200.123]: Setting goal: Frame:map, Position(1.250, -0.500, 0.000), Orientation(0.000, 0.000, 0.600, 0.800) = Angle: 1.287",
+        rotation: [0.8, 0.000000000000000, 0.000000000000000, 0.6],
+        position: Some([1.25, -0.5, 0.0]),
+    },
+    Printed {
+        format: Some("tf"),
+        library: None,
+        text: ">>> (trans, rot) = listener.lookupTransform(\"/map\", \"/base_link\", rospy.Time(0))\n>>> trans, rot\n([0.5, -0.25, 1.75], [0.231455, -0.612372, 0.433013, 0.619657])",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: Some([0.5, -0.25, 1.75]),
+    },
+    Printed {
+        format: Some("CoppeliaSim"),
+        library: None,
+        text: "> sim.getObjectQuaternion(h, -1)\n{0.231455, -0.612372, 0.433013, 0.619657}",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("SciPy"),
+        library: None,
+        text: ">>> r.as_quat()\narray([0.231455, -0.612372, 0.433013, 0.619657])",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("SciPy"),
+        library: None,
+        text: ">>> r.as_quat(scalar_first=True)\narray([0.231455, -0.612372, 0.433013, 0.619657])",
+        rotation: [
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+            0.619642767209,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("RViz"),
+        library: None,
+        text: "Position\t0.5; -1.5; 2.25\nOrientation\t0.231455; -0.612372; 0.433013; 0.619657",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
+    Printed {
+        format: None,
+        library: None,
+        text: "rostopic pub /initialpose geometry_msgs/PoseWithCovarianceStamped '{pose: {pose: {position: {x: 0.5, y: -1.5, z: 2.25}, orientation: {x: 0.231455, y: -0.612372, z: 0.433013, w: 0.619657}}}}'",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
+    Printed {
+        format: Some("URDF"),
+        library: None,
+        text: r#"<origin rpy="${pi/2} 0.3 ${-3*pi/4}" xyz="0.5 -1.5 2.25"/>"#,
+        rotation: [
+            0.169934360943,
+            0.365184690373,
+            -0.605508168332,
+            -0.68638350284,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -191,6 +191,66 @@ const PRINTED: &[Printed] = &[
         ],
         position: Some([0.316, -0.637, -0.734]),
     },
+    Printed {
+        format: Some("OpenRAVE"),
+        library: None,
+        text: "<Body name=\"base\">\n  <Translation>0.9 -0.5 0.3</Translation>\n  <RotationAxis>0.36 0.48 -0.8 75.5</RotationAxis>\n</Body>",
+        rotation: [
+            0.790689573744,
+            0.220398220812,
+            0.293864294417,
+            -0.489773824028,
+        ],
+        position: Some([0.9, -0.5, 0.3]),
+    },
+    Printed {
+        format: Some("CZML"),
+        library: None,
+        text: "\"orientation\": {\n  \"unitQuaternion\": [0.231455, -0.612372, 0.433013, 0.619657]\n}",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "double3 xformOp:translate = (0.5, -1.5, 2.25)\nfloat3 xformOp:rotateZXY = (-42.0612, 156.8808, 128.7781)\nuniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateZXY\"]",
+        rotation: [
+            -0.236194846086,
+            0.793526688483,
+            0.460128197893,
+            0.320639097509,
+        ],
+        position: Some([0.5, -1.5, 2.25]),
+    },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "float3 xformOp:rotateZYX = (-144.9421, -13.6222, -89.5845)",
+        rotation: [
+            0.291909903556,
+            -0.646770825726,
+            -0.69243065363,
+            -0.130444996489,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("USD"),
+        library: None,
+        text: "Gf.Rotation(Gf.Vec3d(-0.19667269, 0.70103258, 0.68547296), 119.236424)",
+        rotation: [
+            0.505759580517,
+            -0.169664508891,
+            0.604762910408,
+            0.591340023449,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

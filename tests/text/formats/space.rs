@@ -52,6 +52,42 @@ const PRINTED: &[Printed] = &[
         ],
         position: None,
     },
+    Printed {
+        format: Some("GMAT"),
+        library: None,
+        text: "GMAT Sat.Q1 = 0.231455;\nGMAT Sat.Q2 = -0.612372;\nGMAT Sat.Q3 = 0.433013;\nGMAT Sat.Q4 = 0.619657;",
+        rotation: [
+            0.619642767209,
+            0.231449683751,
+            -0.612357934536,
+            0.433003054201,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("GMAT"),
+        library: None,
+        text: "GMAT Sat.EulerAngleSequence = '312';\nGMAT Sat.EulerAngle1 = 83.7392;\nGMAT Sat.EulerAngle2 = 62.9318;\nGMAT Sat.EulerAngle3 = -21.8785;",
+        rotation: [
+            0.689736335553,
+            0.489678955185,
+            0.221531930971,
+            0.485182349048,
+        ],
+        position: None,
+    },
+    Printed {
+        format: Some("Basilisk"),
+        library: None,
+        text: "sigma_BN = [[-0.17130436], [0.20610412], [-0.22820400]]",
+        rotation: [
+            0.779515917733,
+            -0.304838835397,
+            0.36676556225,
+            -0.40609265049,
+        ],
+        position: None,
+    },
 ];
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -180,7 +180,9 @@ impl<'t> Builder<'t> {
             }
             Mark::Semicolon => {
                 self.flush();
-                self.row += 1;
+                if !self.divides_single_numbers(rest) {
+                    self.row += 1;
+                }
             }
             Mark::Bar => {
                 self.flush();
@@ -203,6 +205,16 @@ impl<'t> Builder<'t> {
             }
             Mark::Line(indent) => self.line(indent, rest),
         }
+    }
+
+    /// Whether a semicolon in a line stands before one number alone: `Orientation 0.1; 0.2; 0.3; 0.9`.
+    fn divides_single_numbers(&mut self, rest: &[Token<'t>]) -> bool {
+        let is_number = |token: &Token<'_>| matches!(token.mark, Mark::Number(_));
+        let is_single = matches!(rest, [number, after @ ..] if is_number(number)
+            && after.first().is_none_or(|next| matches!(next.mark, Mark::Semicolon | Mark::Line(_))));
+        let inside = self.inside();
+        let follows_comma = inside.members.last().is_none_or(|last| last.follows_comma);
+        is_single && !inside.is_bracketed && !follows_comma
     }
 
     fn inside(&mut self) -> &mut Member<'t> {

@@ -1,6 +1,8 @@
 //! What the beginning of a text is, by its characters alone.
 
 use crate::character::{begins_number, is_alphabetic, is_alphanumeric, is_of_name};
+use crate::text::record::names::finite_decimal;
+use std::f64::consts::PI;
 
 /// How many bytes a date, an index or a list of types has at most.
 const LONGEST: usize = 80;
@@ -143,7 +145,7 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
         .find_map(|suffix| written.strip_suffix(suffix))
         .unwrap_or(number);
     let unit = number.trim_start_matches(begins_number);
-    let is_exponent = unit.strip_prefix(['e', 'E']).is_some_and(|rest| {
+    let is_exponent = unit.strip_prefix(['e', 'E', 'D']).is_some_and(|rest| {
         rest.bytes().all(|byte| byte.is_ascii_digit())
             && (!rest.is_empty() || text[length..].starts_with(['+', '-']))
     });
@@ -151,6 +153,22 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
     let whole = written.trim_start_matches(begins_number);
     let is_known = unit.is_empty() || is_exponent || is_unit(unit) || is_unit(whole);
     (points > 1 || !is_known).then_some(written.len().max(1))
+}
+
+/// How long an angle of xacro at the start is, `${-pi/2}` or `${3*pi/4}`, and its value in radians.
+pub(crate) fn part_of_pi(text: &str) -> Option<(usize, f64)> {
+    let (inside, _) = text.strip_prefix("${")?.split_once('}')?;
+    let (before, after) = inside.split_once("pi")?;
+    let factor = match before.trim() {
+        "" => 1.0,
+        "-" => -1.0,
+        written => finite_decimal(written.strip_suffix('*')?.trim())?,
+    };
+    let divisor = match after.trim() {
+        "" => 1.0,
+        written => finite_decimal(written.strip_prefix('/')?.trim())?,
+    };
+    Some((inside.len() + "${}".len(), factor * PI / divisor))
 }
 
 /// Whether a text ends with the letter of an axis that stands alone.

@@ -1,7 +1,10 @@
 //! Any text to tokens, whatever language it is of: what is not understood is passed over, nothing fails.
 
+// Bars.
+mod bars;
+
 // What the beginning of a text is.
-mod lexemes;
+pub(crate) mod lexemes;
 
 // Numbers and their signs.
 mod number;
@@ -11,7 +14,9 @@ mod word;
 
 use crate::character::{begins_number, is_alphabetic, is_capital, is_digit};
 use crate::problem::Span;
-use crate::text::record::scan::lexemes::{element, index, is_checksum, name, prompt, row_label};
+use crate::text::record::scan::lexemes::{
+    element, index, is_checksum, name, part_of_pi, prompt, row_label,
+};
 use crate::text::vocabulary::labels::is_derived;
 
 /// What a piece of a text is.
@@ -254,6 +259,9 @@ impl<'t> Scanner<'t> {
                 self.at += rest.find('\n').unwrap_or(rest.len());
             }
             _ if first.is_whitespace() => self.at += first.len_utf8(),
+            '$' if let Some((length, value)) = part_of_pi(rest) => {
+                self.push(Mark::Number(value), length);
+            }
             '0'..='9' => self.number(0),
             '.' if second.is_ascii_digit() => self.number(0),
             '+' | '-' | '−' => self.sign(first),
@@ -283,6 +291,9 @@ impl<'t> Scanner<'t> {
             '<' if second == '|' => self.push(Mark::Comma, 2),
             '<' => self.angle(),
             '/' if second == '>' => self.push(Mark::TagClose, 2),
+            // What was, and what is.
+            '=' if second == '>' && self.follows_value() => self.push(Mark::Bar, 2),
+            '→' | '⇒' if self.follows_value() => self.push(Mark::Bar, first.len_utf8()),
             '=' if second == '>' => self.push(Mark::Label, 2),
             '=' if second == '=' => self.push(Mark::Operator, 2),
             ':' | '=' => self.push(Mark::Label, 1),
@@ -350,31 +361,21 @@ impl<'t> Scanner<'t> {
         }
     }
 
+    /// Whether numbers stand before this place.
+    fn follows_value(&self) -> bool {
+        let is_number = |token: &Token<'_>| matches!(token.mark, Mark::Number(_));
+        match &self.tokens[..] {
+            [.., last] if is_number(last) => true,
+            [.., inside, last] => last.mark == Mark::Close && is_number(inside),
+            _ => false,
+        }
+    }
+
     /// Whether a number stands before this place, and one behind so many bytes in the same line.
     fn is_between_numbers(&self, length: usize) -> bool {
         let last = self.tokens.last().map(|last| last.mark);
         let after = self.rest()[length..].trim_start_matches(' ');
         matches!(last, Some(Mark::Number(_))) && after.starts_with(begins_number)
-    }
-
-    /// A bar divides two things of a line; at its ends it is the frame of a matrix.
-    fn bar(&mut self) {
-        let is_frame = self.rest()[1..]
-            .trim_start_matches([' ', '\t', '\r'])
-            .starts_with('\n')
-            || self.rest()[1..].trim_start().is_empty()
-            || matches!(
-                self.tokens.last(),
-                Some(Token {
-                    mark: Mark::Line(_) | Mark::Label,
-                    ..
-                })
-            );
-        if is_frame {
-            self.at += 1;
-        } else {
-            self.push(Mark::Bar, 1);
-        }
     }
 
     fn operator(&mut self, first: char) {

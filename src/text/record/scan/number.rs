@@ -121,14 +121,15 @@ impl<'t> Scanner<'t> {
             end += 1;
             end += digits(end);
         }
-        if let Some(b'e' | b'E') = bytes.get(end) {
+        if let Some(mark @ (b'e' | b'E' | b'D')) = bytes.get(end) {
             let signed = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
             let exponent = digits(end + 1 + signed);
-            if exponent > 0 {
+            // `-4.2D-01` of Fortran; without a sign it may be a name.
+            if exponent > 0 && (*mark != b'D' || signed > 0) {
                 end += 1 + signed + exponent;
             }
         }
-        let mut written = body[..end].replace(',', ".");
+        let mut written = body[..end].replace(',', ".").replace('D', "e");
         // `1.5*^-2` of Mathematica.
         if let Some(power) = body[end..].strip_prefix("*^") {
             let signed = usize::from(power.starts_with('-'));

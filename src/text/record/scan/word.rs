@@ -78,8 +78,8 @@ impl<'t> Scanner<'t> {
         let numbers = inside
             .split(|mark: char| mark.is_whitespace() || ",;".contains(mark))
             .filter(|part| {
-                part.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first))
-                    && part.contains(is_digit)
+                part.starts_with(|first: char| first.is_ascii_digit() || "+-.$".contains(first))
+                    && part.contains(|digit: char| digit.is_ascii_digit() || digit == '$')
             })
             .count();
         let is_flag = inside.starts_with("--") && inside[2..].starts_with(is_alphabetic);

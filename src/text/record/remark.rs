@@ -147,7 +147,12 @@ pub(crate) fn made_above(text: &str) -> Option<(Span, &'static str)> {
 }
 
 /// A label with marks that say that it names something made of others, and what: `q⁻¹`, `R^T`, `q1 - q2`, `2q`.
+///
+/// Of a long block it need not be the label of the rotation.
 pub(crate) fn marked_label(text: &str) -> Option<(Span, &'static str)> {
+    if text.lines().count() > MOST_LABELS {
+        return None;
+    }
     let mut start = 0;
     for line in text.split('\n') {
         let end = line.find(['=', ':']).unwrap_or(0);
@@ -166,6 +171,9 @@ pub(crate) fn marked_label(text: &str) -> Option<(Span, &'static str)> {
     }
     None
 }
+
+/// How many lines a text has at most of which every label is looked at.
+const MOST_LABELS: usize = 8;
 
 /// The longest label that is a formula, in bytes.
 const LONGEST_FORMULA: usize = 24;
@@ -197,9 +205,9 @@ fn made_by_marks(label: &str) -> Option<&'static str> {
     if has(&["⊗", "⊙", "∘"]) {
         return Some("a product");
     }
-    // `2q`
+    // `2q`, not `3x3`
     let factor = label.trim_start_matches(|digit: char| digit.is_ascii_digit());
-    if factor.len() < label.len() && is_name(factor) {
+    if factor.len() < label.len() && matches!(factor, "q" | "Q" | "R") {
         return Some("a multiple");
     }
     // `fx, fy, cx, cy = …`

@@ -1,8 +1,40 @@
 //! What single characters are: dashes, frames that are drawn, spaces that group digits, what is not seen.
 
+pub(crate) use crate::letter::{is_alphabetic, is_alphanumeric};
+
 /// White space, and what takes no space at all but separates words.
 pub(crate) fn is_blank(character: char) -> bool {
     character.is_whitespace() || matches!(character, '\u{200b}' | '\u{2060}' | '\u{feff}')
+}
+
+/// What stands between words.
+pub(crate) fn parts_words(character: char) -> bool {
+    !is_alphanumeric(character)
+}
+
+/// What a name consists of.
+pub(crate) fn is_of_name(character: char) -> bool {
+    is_alphanumeric(character) || character == '_'
+}
+
+/// What a name begins with.
+pub(crate) fn begins_name(character: char) -> bool {
+    is_alphabetic(character) || character == '_'
+}
+
+/// A digit of ASCII.
+pub(crate) fn is_digit(character: char) -> bool {
+    character.is_ascii_digit()
+}
+
+/// What a decimal number begins with, behind its sign.
+pub(crate) fn begins_number(character: char) -> bool {
+    character.is_ascii_digit() || character == '.'
+}
+
+/// A capital letter of ASCII.
+pub(crate) fn is_capital(character: char) -> bool {
+    character.is_ascii_uppercase()
 }
 
 /// What is used for a minus, or looks like one.

@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 /// their names on; no room uses it. Rooms of which there is no folder yet are planned: what will be in
 /// them may use no more than this.
 const ROOMS: &[(&str, &[&str])] = &[
-    ("character", &[]),
+    ("letter", &[]),
+    ("character", &["letter"]),
     ("decimal", &[]),
     ("convention", &[]),
     ("problem", &["character", "convention"]),
@@ -46,15 +47,22 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "text/vocabulary",
-        &["convention", "problem", "text/grammar"],
+        &["character", "convention", "problem", "text/grammar"],
     ),
     (
         "text/description",
-        &["convention", "problem", "text/grammar", "text/vocabulary"],
+        &[
+            "character",
+            "convention",
+            "problem",
+            "text/grammar",
+            "text/vocabulary",
+        ],
     ),
     (
         "text/record",
         &[
+            "character",
             "decimal",
             "convention",
             "problem",
@@ -87,6 +95,7 @@ const ROOMS: &[(&str, &[&str])] = &[
     (
         "analyze",
         &[
+            "character",
             "decimal",
             "convention",
             "problem",
@@ -122,7 +131,7 @@ const ROOMS: &[(&str, &[&str])] = &[
 /// The crates of JavaScript, and the condition that a build is for it.
 const OF_JAVASCRIPT: [&str; 6] = [
     "js_sys",
-    "serde_wasm_bindgen",
+    "rlsf",
     "strsim",
     "target_arch",
     "tsify",

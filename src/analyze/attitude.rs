@@ -3,7 +3,7 @@
 use crate::analyze::describe::rules;
 use crate::analyze::matrix::of_matrix;
 use crate::analyze::norm::{check_norm, is_far_from_unit};
-use crate::analyze::plain_numbers::{coordinates, plain, rows3, rows4};
+use crate::analyze::plain_numbers::{coordinates, plain, plain3, rows3, rows4};
 use crate::contract::{
     AngleUnitAssumed, Column, Components, DirectionFromText, Fact, Form, PairedMatrix,
     ReadAxisAngle, ReadEulerAngles, ReadGibbsVector, ReadHalfAngleVector, ReadModifiedRodrigues,
@@ -105,15 +105,13 @@ impl Attitude {
         let (convention, matrix, told_convention) =
             told.directed(&parsed, declared.convention, declared.matrix);
         told.check(&parsed, convention, matrix)?;
-        let told = told_convention
-            .map(|told| {
-                Fact::DirectionFromText(DirectionFromText {
-                    direction: told.direction,
-                    handedness: told.handedness,
-                })
-            })
-            .into_iter()
-            .collect();
+        let mut told = Vec::new();
+        if let Some(other) = told_convention {
+            told.push(Fact::DirectionFromText(DirectionFromText {
+                direction: other.direction,
+                handedness: other.handedness,
+            }));
+        }
         let (form, rotation, unit) = match parsed {
             ParsedRotation::Quaternion(parsed) => {
                 let attitude = Self::of_quaternion(parsed, convention, span)?;
@@ -163,7 +161,7 @@ impl Attitude {
             ParsedRotation::EulerAngles(parsed) => {
                 let read = ReadEulerAngles {
                     sequence: parsed.sequence,
-                    angles_rad: parsed.angles_rad.map(plain),
+                    angles_rad: plain3(parsed.angles_rad),
                 };
                 let rotation =
                     Rotation::from_euler_in(parsed.unit.unit(), parsed.sequence, parsed.angles_rad);

@@ -55,12 +55,13 @@ impl Line {
     /// Where in the line it is what stands somewhere in the numbers by name, within one of them; nothing
     /// where several are meant.
     pub(crate) fn place(&self, named: Span) -> Option<Span> {
-        let meant = self
-            .places
-            .iter()
-            .filter(|(place, _)| place.start <= named.end && named.start <= place.end);
-        let meant: Vec<_> = meant.collect();
-        match meant[..] {
+        let mut meant = Vec::new();
+        for (place, line) in self.places {
+            if place.start <= named.end && named.start <= place.end {
+                meant.push((place, line));
+            }
+        }
+        match &meant[..] {
             [(place, line)] if place.start <= named.start && named.end <= place.end => {
                 let start = line.start + (named.start - place.start);
                 Some(Span::from(start..start + (named.end - named.start)))
@@ -72,26 +73,24 @@ impl Line {
 
     /// The line with other numbers, by name as in `named`; nothing where these are not four numbers.
     pub(crate) fn with_numbers(&self, line: &str, named: &str) -> Option<String> {
-        let numbers: Vec<&str> = named
-            .split(", ")
-            .zip(self.named.split(", "))
-            .map(|(new, old)| {
-                let (name, number) = new.split_once(": ")?;
-                old.starts_with(name).then_some(number)
-            })
-            .collect::<Option<_>>()?;
-        if named.matches(", ").count() != PLACES.len() - 1 {
+        // One after the other as they stand in the line, where w may be the last.
+        let mut numbers: Vec<(Span, &str)> = Vec::new();
+        let mut names = self.named.split(", ");
+        for new in named.split(", ") {
+            let (name, number) = new.split_once(": ")?;
+            let (_, place) = self.places.get(numbers.len())?;
+            if !names.next()?.starts_with(name) {
+                return None;
+            }
+            let before = numbers.partition_point(|(other, _)| other.start < place.start);
+            numbers.insert(before, (*place, number));
+        }
+        if numbers.len() != PLACES.len() {
             return None;
         }
-        let places: Vec<_> = self.places.iter().zip(numbers).collect();
         let mut written = String::new();
         let mut rest = 0;
-        // One after the other as they stand in the line, where w may be the last.
-        let next = |rest| {
-            let further = places.iter().filter(|((_, line), _)| line.start >= rest);
-            further.min_by_key(|((_, line), _)| line.start)
-        };
-        while let Some(((_, place), number)) = next(rest) {
+        for (place, number) in numbers {
             written.push_str(&line[rest..place.start]);
             written.push_str(number);
             rest = place.end;
@@ -104,11 +103,14 @@ impl Line {
 ///
 /// White space does not matter, except inside a number, nor what stands before the first `=` of both.
 pub(crate) fn read(template: &str, line: &str) -> Option<Line> {
-    let template: String = template.split_whitespace().collect();
-    let characters: Vec<(usize, char)> = line
-        .char_indices()
-        .filter(|(_, character)| !character.is_whitespace())
-        .collect();
+    let mut template = template.to_owned();
+    template.retain(|character| !character.is_whitespace());
+    let mut characters = Vec::new();
+    for (at, character) in line.char_indices() {
+        if !character.is_whitespace() {
+            characters.push((at, character));
+        }
+    }
     numbers(&template, &characters).or_else(|| {
         let (_, template) = template.split_once('=')?;
         let value = characters
@@ -137,7 +139,11 @@ fn numbers(template: &str, line: &[(usize, char)]) -> Option<Line> {
         if last - first + 1 != number.len() {
             return None;
         }
-        let number: String = number.iter().map(|(_, character)| character).collect();
+        let mut written = String::new();
+        for (_, character) in number {
+            written.push(*character);
+        }
+        let number = written;
         if !is_decimal(&number) {
             return None;
         }

@@ -98,7 +98,10 @@ fn composition(p: &Attitude, q: &Attitude, vector: Vector3<f64>) -> Composition 
     // Two products have the same numbers where the signs of their conventions agree and they are the
     // same attitude: p ⊙ q = q ⊗ p for all quaternions (Cheng 2018, eq. 2.4), the others only where
     // p and q commute.
-    let kinds: Vec<_> = products.iter().map(kind).collect();
+    let mut kinds = Vec::new();
+    for product in &products {
+        kinds.push(kind(product));
+    }
     for product in products.iter_mut().chain([&mut declared]) {
         let (sign, first) = kind(product);
         for (other, (other_sign, other_first)) in kinds.iter().enumerate() {

@@ -49,8 +49,12 @@ pub(crate) fn of_matrix(
     // Divided by a power of two, so that no length overflows or vanishes.
     let exponent = working_scale(entries.as_slice());
     let scaled = entries.map(|entry| times_power_of_two(entry, exponent));
-    let scaled_lengths = [0, 1, 2].map(|column| scaled.column(column).norm());
-    let lengths = scaled_lengths.map(|length| times_power_of_two(length, -exponent));
+    let mut scaled_lengths = [0.0; 3];
+    let mut lengths = [0.0; 3];
+    for column in 0..3 {
+        scaled_lengths[column] = scaled.column(column).norm();
+        lengths[column] = times_power_of_two(scaled_lengths[column], -exponent);
+    }
     let scaled_by = scaled_lengths.iter().sum::<f64>() / 3.0;
     let unscaled = scaled / scaled_by;
     let scale = times_power_of_two(scaled_by, -exponent);
@@ -102,14 +106,15 @@ fn suggested(remedy: Remedy, matrix: &Matrix3<f64>) -> Suggestion {
 /// same angle, which the trace tells.
 fn reflection(entries: Matrix3<f64>, scale: f64, span: Span) -> Fault {
     let trace = entries.trace();
-    let flips = [0, 1, 2].map(|axis| (Some(axis), trace - 2.0 * entries[(axis, axis)]));
-    let (axis, _) =
-        flips.into_iter().fold(
-            (None, -trace),
-            |best, flip| {
-                if flip.1 > best.1 { flip } else { best }
-            },
-        );
+    let mut axis = None;
+    let mut most = -trace;
+    for flipped in 0..3 {
+        let left = trace - 2.0 * entries[(flipped, flipped)];
+        if left > most {
+            most = left;
+            axis = Some(flipped);
+        }
+    }
     let signs = |axis| Vector3::from_fn(|at, _| if at == axis { -1.0 } else { 1.0 });
     let (mirror, restored) = match axis {
         None => (Mirror::All, -entries),

@@ -10,9 +10,17 @@ pub(crate) fn plain(number: f64) -> f64 {
     number + 0.0
 }
 
+pub(crate) fn plain3([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [plain(x), plain(y), plain(z)]
+}
+
+pub(crate) fn plain4([w, x, y, z]: [f64; 4]) -> [f64; 4] {
+    [plain(w), plain(x), plain(y), plain(z)]
+}
+
 impl Components {
     pub(crate) fn of(quaternion: &Quaternion<f64>, order: ComponentOrder) -> Self {
-        let components = [quaternion.w, quaternion.i, quaternion.j, quaternion.k].map(plain);
+        let components = plain4([quaternion.w, quaternion.i, quaternion.j, quaternion.k]);
         let [w, x, y, z] = components;
         let array = order.array(components);
         let norm = Norm::of(&array).value();
@@ -28,7 +36,7 @@ impl Components {
 }
 
 pub(crate) fn coordinates(vector: &Vector3<f64>) -> [f64; 3] {
-    [vector.x, vector.y, vector.z].map(plain)
+    plain3([vector.x, vector.y, vector.z])
 }
 
 pub(crate) fn rows3(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {

@@ -3,6 +3,8 @@
 use crate::analyze::attitude::{Attitude, Declared, unit_assumed};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
+#[cfg(feature = "whole")]
+use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;
 use crate::problem::{Field, Problem};
@@ -65,7 +67,7 @@ impl Attitude {
 #[cfg(feature = "whole")]
 fn may_be_block(text: &str, plain: &Result<Attitude, Fault>) -> bool {
     match plain {
-        Ok(_) => text.contains(char::is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
+        Ok(_) => text.contains(is_alphabetic) && text.contains([':', '=', '\n', '<', '(']),
         Err(_) => !is_too_long(text) && !text.trim().is_empty(),
     }
 }

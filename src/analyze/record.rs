@@ -3,6 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
 use crate::analyze::record_told::{SAME_WITHIN_DEG, descriptions, found_in_text, loose_angles};
+use crate::character::is_alphabetic;
 use crate::contract::{Fact, Form, FormatAssumed, RotationAssumed};
 use crate::convention::order::OrderSource;
 use crate::library::VectorLayout;
@@ -56,7 +57,7 @@ fn is_formula(text: &str, record: &Record, fault: &Fault) -> bool {
         '*', '^', '/', '+', '−', '·', '⊗', '⊙', '∘', '\\', '²', '(', ' ',
     ]);
     // `0.6 + 0.8i` has no names.
-    let has_names = right.contains(|mark: char| mark.is_alphabetic() && !"ijke".contains(mark));
+    let has_names = right.contains(|mark: char| is_alphabetic(mark) && !"ijke".contains(mark));
     is_unread && record.most_numbers < 3 && computes && has_names
 }
 
@@ -64,7 +65,7 @@ fn is_formula(text: &str, record: &Record, fault: &Fault) -> bool {
 /// other quantities, another notation. A sign in doubt, a sequence that contradicts or a number that is none
 /// stays a problem of the text itself.
 fn may_hold_more(text: &str, record: &Record, fault: &Fault) -> bool {
-    let has_words = text.contains(char::is_alphabetic);
+    let has_words = text.contains(is_alphabetic);
     let is_one_line = !text.trim().contains('\n');
     let is_arrow = text.get(fault.span.start..fault.span.end) == Some(">");
     let is_of_format =
@@ -310,9 +311,11 @@ fn differs_by_deg(one: &Attitude, other: &Attitude) -> f64 {
 }
 
 fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, f64)> {
-    read.iter()
-        .map(|(found, other)| (*found, differs_by_deg(chosen, other)))
-        .collect()
+    let mut others = Vec::new();
+    for (found, other) in read {
+        others.push((*found, differs_by_deg(chosen, other)));
+    }
+    others
 }
 
 /// No turn, which stands for what was never set.

@@ -96,7 +96,10 @@ pub(crate) fn written(rotation: &Rotation, meaning: &Meaning) -> Option<EndNumbe
         }
         RecordNumbersKind::EulerAngles => {
             let turns = Turn::all(numbers.means?)?;
-            let letters: String = turns.iter().map(|turn| turn.axis).collect();
+            let mut letters = String::new();
+            for turn in &turns {
+                letters.push(turn.axis);
+            }
             let sequence: EulerSequence = letters.parse().ok()?;
             let mut values = vec![0.0; 3];
             let angles_rad = taking.euler(sequence).angles_rad;
@@ -129,8 +132,13 @@ struct Turn {
 impl Turn {
     /// The three factors of a product.
     fn all(means: &str) -> Option<[Self; 3]> {
-        let turns: Option<Vec<Self>> = means.split(' ').map(Self::of).collect();
-        turns?.try_into().ok()
+        let mut factors = means.split(' ');
+        let all = [
+            Self::of(factors.next()?)?,
+            Self::of(factors.next()?)?,
+            Self::of(factors.next()?)?,
+        ];
+        factors.next().is_none().then_some(all)
     }
 
     fn of(factor: &str) -> Option<Self> {

@@ -2,7 +2,7 @@
 
 use crate::analyze::attitude::Attitude;
 use crate::analyze::numbers::nearest_off_rad;
-use crate::analyze::plain_numbers::plain as plain_number;
+use crate::analyze::plain_numbers::{coordinates, plain as plain_number, plain3};
 use crate::contract::{Beside, BesideQuantity, Fact, Form, FoundInText, OtherDescription};
 use crate::convention::Direction;
 use crate::problem::Span;
@@ -60,7 +60,7 @@ pub(crate) fn found_in_text(
 ) -> Option<Fact> {
     let mut all = Vec::new();
     for beside in &record.beside {
-        let numbers = beside.numbers.map(plain_number);
+        let numbers = plain3(beside.numbers);
         let (quantity, body_in_world) = match beside.what {
             What::Scale => (BesideQuantity::Scale, None),
             What::Position if beside.is_in_world => (BesideQuantity::Position, Some(numbers)),
@@ -97,11 +97,11 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
         _ => Direction::BodyToWorld,
     };
     match direction {
-        Direction::BodyToWorld => translation.map(plain_number),
+        Direction::BodyToWorld => plain3(translation),
         Direction::WorldToBody => {
             let body_to_world = attitude.rotation.matrix(Direction::BodyToWorld);
             let origin = -(body_to_world * Vector3::from(translation));
-            [origin.x, origin.y, origin.z].map(plain_number)
+            coordinates(&origin)
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::analyze::attitude::{Attitude, Declared, DeclaredLibrary};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
-use crate::analyze::plain_numbers::{plain, rows3};
+use crate::analyze::plain_numbers::{plain, plain4, rows3};
 use crate::analyze::record_numbers;
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
@@ -169,7 +169,13 @@ fn as_typed(problem: Problem, line: &Line, text: &str) -> Problem {
     let suggestion = problem
         .suggestion
         .and_then(|suggestion| in_line(*suggestion));
-    let choices = suggestions(|| problem.choices.into_iter().filter_map(in_line).collect());
+    let choices = suggestions(|| {
+        let mut choices = Vec::new();
+        for choice in problem.choices {
+            choices.extend(in_line(choice));
+        }
+        choices
+    });
     Problem {
         span: line.place(problem.span).unwrap_or(Span::of_trimmed(text)),
         suggestion: suggestion.map(Box::new),
@@ -253,7 +259,7 @@ fn end(meaning: &Meaning, numbers: &TaggedQuaternion, rotation: &Rotation) -> Tr
     TranslatedEnd {
         library: library.map(|library| library.id.to_owned()),
         convention: meaning.declared.unwrap_or(meaning.numbers()),
-        array: numbers.to_array().map(plain),
+        array: plain4(numbers.to_array()),
         order: meaning.order,
         constructor_order: library.map_or(Some(meaning.order), |library| library.constructor_order),
         sign: meaning.numbers().component_sign(),
@@ -396,7 +402,13 @@ fn pasted(text: &str) -> Option<&'static Essentials> {
     if is_too_long(text) {
         return None;
     }
-    let compact = |text: &str| text.split_whitespace().collect::<String>();
+    let compact = |text: &str| {
+        let mut compact = String::new();
+        for word in text.split_whitespace() {
+            compact.push_str(word);
+        }
+        compact
+    };
     let text = compact(text);
     let mut first: Option<(usize, &Essentials)> = None;
     for library in essentials() {

@@ -221,10 +221,12 @@ impl Remaining {
             self.perturbation.len(),
             self.increment_sign.len(),
         ];
-        let pairs = BehaviourAxis::ALL.into_iter().zip(counts);
-        pairs
-            .filter(|(_, count)| *count == 1)
-            .map(|(axis, _)| axis)
-            .collect()
+        let mut settled = Vec::new();
+        for (axis, count) in BehaviourAxis::ALL.into_iter().zip(counts) {
+            if count == 1 {
+                settled.push(axis);
+            }
+        }
+        settled
     }
 }

@@ -136,13 +136,13 @@ impl Probe {
     /// Whether the same goes in, whatever comes out.
     #[must_use]
     pub fn asks_the_same(&self, other: &Self) -> bool {
-        let words = |probe: &Self| -> Vec<String> {
-            let inputs = probe.inputs().into_iter();
-            inputs
-                .map(|text| text.split_whitespace().collect::<Vec<_>>().join(" "))
-                .collect()
-        };
-        self.kind() == other.kind() && words(self) == words(other)
+        let (own, others) = (self.inputs(), other.inputs());
+        self.kind() == other.kind()
+            && own.len() == others.len()
+            && own
+                .iter()
+                .zip(&others)
+                .all(|(own, other)| own.split_whitespace().eq(other.split_whitespace()))
     }
 
     /// The text of a field; what was printed where it has no such field.

@@ -100,6 +100,12 @@ impl EulerAxes {
     /// The six Tait-Bryan sequences (three different axes), then the six proper ones.
     pub const ALL: [Self; 12] = names::all(VariantArray::VARIANTS);
 
+    /// The places of those axes in an array of coordinates.
+    pub(crate) const fn places(self) -> [usize; 3] {
+        let [one, two, three] = self.axes();
+        [one.index(), two.index(), three.index()]
+    }
+
     /// The axis of the first, second and third angle.
     #[must_use]
     pub const fn axes(self) -> [Axis; 3] {

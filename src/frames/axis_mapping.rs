@@ -146,13 +146,14 @@ impl AxisMapping {
     }
 
     fn has_every_axis(&self) -> bool {
-        let [x, y, z] = self.axes.map(|signed| signed.axis);
-        x != y && y != z && x != z
+        let [x, y, z] = self.axes;
+        x.axis != y.axis && y.axis != z.axis && x.axis != z.axis
     }
 
     /// Whether every new axis is the old one, or its opposite.
     pub(crate) fn keeps_places(&self) -> bool {
-        self.axes.map(|signed| signed.axis) == Self::NONE.axes.map(|signed| signed.axis)
+        let [x, y, z] = self.axes;
+        (x.axis, y.axis, z.axis) == (Axis::X, Axis::Y, Axis::Z)
     }
 
     /// The new axes reversed, all three.
@@ -364,11 +365,12 @@ impl FromStr for AxisMapping {
 impl fmt::Display for AxisMapping {
     /// `y x -z`, which reads back.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = self.axes.map(|SignedAxis { axis, sense }| {
-            let sign = if sense == Sense::Against { "-" } else { "" };
-            format!("{sign}{}", ["x", "y", "z"][axis.index()])
-        });
-        f.write_str(&names.join(" "))
+        for (place, SignedAxis { axis, sense }) in self.axes.iter().enumerate() {
+            f.write_str(if place > 0 { " " } else { "" })?;
+            f.write_str(if *sense == Sense::Against { "-" } else { "" })?;
+            f.write_str(["x", "y", "z"][axis.index()])?;
+        }
+        Ok(())
     }
 }
 
@@ -385,22 +387,27 @@ fn system(name: &str) -> Result<[char; 3], UnknownAxes> {
     let letters = named.map_or(trimmed.to_ascii_uppercase(), |(_, letters)| {
         (*letters).to_owned()
     });
-    let letters: [char; 3] = letters
-        .chars()
-        .collect::<Vec<_>>()
-        .try_into()
-        .map_err(|_| unknown())?;
-    let pair = |letter| {
-        OPPOSITES
-            .iter()
-            .position(|&(one, other)| letter == one || letter == other)
+    let mut characters = letters.chars();
+    let (Some(x), Some(y), Some(z), None) = (
+        characters.next(),
+        characters.next(),
+        characters.next(),
+        characters.next(),
+    ) else {
+        return Err(unknown());
     };
-    let pairs = letters.map(pair);
     // A system of the world has north and east, one of a body has forward and right.
-    let is_whole = [[0, 1, 2], [2, 3, 4]]
-        .iter()
-        .any(|whole| whole.iter().all(|&place| pairs.contains(&Some(place))));
-    is_whole.then_some(letters).ok_or_else(unknown)
+    for whole in [[0, 1, 2], [2, 3, 4]] {
+        let mut is_whole = true;
+        for place in whole {
+            let (one, other) = OPPOSITES[place];
+            is_whole &= letters.contains([one, other]);
+        }
+        if is_whole {
+            return Ok([x, y, z]);
+        }
+    }
+    Err(unknown())
 }
 
 fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes> {
@@ -424,11 +431,12 @@ fn between(from: &[char; 3], to: &[char; 3]) -> Result<AxisMapping, UnknownAxes>
             Some(SignedAxis { axis, sense })
         })
     };
-    let unrelated = || UnknownAxes {
-        message: "one system is of a body and the other of the world".to_owned(),
+    let [Some(x), Some(y), Some(z)] = [source(to[0]), source(to[1]), source(to[2])] else {
+        return Err(UnknownAxes {
+            message: "one system is of a body and the other of the world".to_owned(),
+        });
     };
-    let [x, y, z] = to.map(|letter| source(letter).ok_or_else(unrelated));
-    Ok(AxisMapping { axes: [x?, y?, z?] })
+    Ok(AxisMapping { axes: [x, y, z] })
 }
 
 fn signed_permutation(text: &str) -> Result<AxisMapping, UnknownAxes> {
@@ -455,15 +463,14 @@ fn signed_permutation(text: &str) -> Result<AxisMapping, UnknownAxes> {
         axes.push(SignedAxis { axis, sense });
         sense = Sense::Along;
     }
-    let axes: [SignedAxis; 3] = axes.try_into().map_err(|_| unknown())?;
-    let [x, y, z] = axes.map(|signed| signed.axis);
-    if sense == Sense::Against {
+    let (&[x, y, z], Sense::Along) = (&axes[..], sense) else {
         return Err(unknown());
-    }
-    if x == y || y == z || x == z {
+    };
+    let mapping = AxisMapping { axes: [x, y, z] };
+    if !mapping.has_every_axis() {
         return Err(UnknownAxes {
             message: "one axis appears twice, so another one is missing".to_owned(),
         });
     }
-    Ok(AxisMapping { axes })
+    Ok(mapping)
 }

@@ -182,8 +182,13 @@ impl Essentials {
             (BehaviourAxis::Rotate, self.action().is_none()),
             (BehaviourAxis::Matrix, self.matrix.is_none()),
         ];
-        let missing = choices.into_iter().filter(|(_, is_missing)| *is_missing);
-        missing.map(|(axis, _)| axis).collect()
+        let mut missing = Vec::new();
+        for (axis, is_missing) in choices {
+            if is_missing {
+                missing.push(axis);
+            }
+        }
+        missing
     }
 }
 

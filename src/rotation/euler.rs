@@ -232,7 +232,7 @@ struct Extrinsic {
 impl Extrinsic {
     fn of(q: &Quaternion<f64>, axes: [Axis; 3]) -> Self {
         let part = |axis: usize| q.vector()[axis];
-        let [i, j, k] = axes.map(Axis::index);
+        let [i, j, k] = [axes[0].index(), axes[1].index(), axes[2].index()];
         // ε: 1 for x-y-z and its rotations.
         let sign = if (j + 3 - i) % 3 == 1 { 1.0 } else { -1.0 };
         let (sum, difference) = if i == k {

@@ -146,15 +146,20 @@ pub(crate) fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) 
 ///
 /// For components of at most the working size, squared. `None` where all are zero.
 pub(crate) fn rounded_direction(components: [TwoFloat; 4]) -> Option<Quaternion<f64>> {
-    let exponent = binary_exponent(&components.map(|number| number.hi()));
+    let exponent = binary_exponent(rounded(components).coords.as_slice());
     let power = times_power_of_two(1.0, WORKING_EXPONENT - exponent);
-    let scaled = components.map(|number| number * power);
-    let sum_of_squares = scaled
-        .iter()
-        .fold(TwoFloat::from(0.0), |sum, &number| sum + number * number);
+    let mut scaled = components;
+    let mut sum_of_squares = TwoFloat::from(0.0);
+    for number in &mut scaled {
+        *number *= power;
+        sum_of_squares += *number * *number;
+    }
     let size = times_power_of_two(1.0, WORKING_EXPONENT - 1);
     let norm = sum_of_squares.sqrt();
-    (norm.hi() > 0.0).then(|| rounded(scaled.map(|number| quotient(number * size, norm))))
+    for number in &mut scaled {
+        *number = quotient(*number * size, norm);
+    }
+    (norm.hi() > 0.0).then(|| rounded(scaled))
 }
 
 /// The quaternion of four components `[w, x, y, z]`, each rounded once.

@@ -127,7 +127,8 @@ impl AxisVector {
 /// # Ok::<(), quatlas::NoRotation>(())
 /// ```
 pub fn half_angle_exponential(eta_rad: [f64; 3]) -> Result<Rotation, NoRotation> {
-    Rotation::from_rotation_vector_rad(eta_rad.map(|number| 2.0 * number))
+    let [x, y, z] = eta_rad;
+    Rotation::from_rotation_vector_rad([2.0 * x, 2.0 * y, 2.0 * z])
 }
 
 impl Rotation {

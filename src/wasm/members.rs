@@ -101,7 +101,11 @@ impl<'r> Members<'r> {
         all: [Choice; COUNT],
         name_of: fn(Choice) -> &'static str,
     ) -> Typed<Choice> {
-        let at = self.place_of_choice(name, &all.map(name_of))?;
+        let mut names = [""; COUNT];
+        for (place, choice) in all.iter().enumerate() {
+            names[place] = name_of(*choice);
+        }
+        let at = self.place_of_choice(name, &names)?;
         all.get(at).copied().ok_or(JsValue::UNDEFINED)
     }
 
@@ -356,12 +360,8 @@ fn not_of_kind(value: &JsValue, path: &str, wanted: &str) -> JsValue {
     })
 }
 
-pub(crate) fn no_such_choice(path: &str, chosen: &str, names: &[impl AsRef<str>]) -> JsValue {
-    let names: Vec<String> = names
-        .iter()
-        .map(|name| format!("`{}`", name.as_ref()))
-        .collect();
-    let names = names.join(", ");
+pub(crate) fn no_such_choice(path: &str, chosen: &str, names: &[&str]) -> JsValue {
+    let names = format!("`{}`", names.join("`, `"));
     refused(&format!(
         "`{path}` cannot be `{chosen}`, but one of {names}"
     ))

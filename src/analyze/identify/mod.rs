@@ -86,6 +86,11 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
             was_told(&|other| other.asks_the_same(probe))
         })
     });
+    let contradiction = contradiction(&told);
+    let mut reports = Vec::new();
+    for read in read {
+        reports.push(read.report);
+    }
     IdentifyReport {
         next,
         codes,
@@ -93,11 +98,11 @@ pub(crate) fn identify(request: &IdentifyRequest) -> IdentifyReport {
         settled: left.settled(),
         labels: labels(&left.direction),
         libraries: matches(&possible),
-        contradiction: contradiction(&told),
+        contradiction,
         sentence: sentence(&request.name, &left),
         family: left.family(),
         remaining: left,
-        observations: read.into_iter().map(|read| read.report).collect(),
+        observations: reports,
     }
 }
 
@@ -134,21 +139,22 @@ impl Read {
     }
 
     fn of_observation(question: &Question, printed: &Printed, rounding: f64) -> Self {
-        let distance = |behaviour: &Behaviour| {
-            let answers = question.answers(behaviour);
-            let distances = answers
-                .iter()
-                .map(|answer| answer.distance(printed, behaviour.array));
-            distances.fold(f64::INFINITY, f64::min)
-        };
         let mut known = [None; Behaviour::COUNT];
-        let distances: Vec<f64> = Behaviour::all()
-            .map(|behaviour| {
-                let answer = &mut known[question.key(&behaviour)];
-                *answer.get_or_insert_with(|| distance(&behaviour))
-            })
-            .collect();
-        let nearest = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let mut distances = Vec::new();
+        let mut nearest = f64::INFINITY;
+        for behaviour in Behaviour::all() {
+            let key = question.key(&behaviour);
+            let distance = known[key].unwrap_or_else(|| {
+                let mut least = f64::INFINITY;
+                for answer in question.answers(&behaviour) {
+                    least = least.min(answer.distance(printed, behaviour.array));
+                }
+                least
+            });
+            known[key] = Some(distance);
+            nearest = nearest.min(distance);
+            distances.push(distance);
+        }
         let believed = (MOST_ROUNDINGS * rounding).min(COARSEST_BELIEVED);
         let rounding = (ROUNDINGS * rounding).min(COARSEST);
         if nearest > FIRST_ORDER.max(believed) {
@@ -161,8 +167,10 @@ impl Read {
         let near = SINGLE_PRECISION
             .max(rounding)
             .max(CLEARLY_FARTHER * nearest);
-        let is_near = distances.into_iter().map(|distance| distance <= near);
-        let agreeing = Agreeing(is_near.collect());
+        let mut agreeing = Agreeing(Vec::new());
+        for distance in distances {
+            agreeing.0.push(distance <= near);
+        }
         let possible = agreeing.behaviours();
         Self {
             report: ObservationReport::Told(Told {
@@ -191,15 +199,28 @@ fn contradiction(told: &[(usize, &Agreeing)]) -> Option<Contradiction> {
     if !agreeing(told).is_empty() {
         return None;
     }
-    let pair = told.iter().enumerate().find_map(|(at, one)| {
-        let mut pairs = told[at + 1..].iter().map(|other| vec![*one, *other]);
-        pairs.find(|pair| agreeing(pair).is_empty())
-    });
-    let disagreeing = pair.unwrap_or_else(|| without_bystanders(told));
+    let disagreeing = pair(told).unwrap_or_else(|| without_bystanders(told));
+    let mut observations = Vec::new();
+    for (at, _) in &disagreeing {
+        observations.push(*at);
+    }
     Some(Contradiction {
         about: disputed(&disagreeing, told),
-        observations: disagreeing.iter().map(|(at, _)| *at).collect(),
+        observations,
     })
+}
+
+/// The first two observations that do not agree.
+fn pair<'a>(told: &[(usize, &'a Agreeing)]) -> Option<Vec<(usize, &'a Agreeing)>> {
+    for (at, one) in told.iter().enumerate() {
+        for other in &told[at + 1..] {
+            let pair = [*one, *other];
+            if agreeing(&pair).is_empty() {
+                return Some(pair.to_vec());
+            }
+        }
+    }
+    None
 }
 
 /// What is left of observations that do not agree when every one is taken out that is not needed for it.
@@ -218,10 +239,10 @@ fn without_bystanders<'a>(told: &[(usize, &'a Agreeing)]) -> Vec<(usize, &'a Agr
 
 /// The choices about which some of the observations disagree.
 fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> Vec<BehaviourAxis> {
-    let alone: Vec<_> = disagreeing
-        .iter()
-        .map(|(_, told)| told.behaviours())
-        .collect();
+    let mut alone = Vec::new();
+    for (_, told) in disagreeing {
+        alone.push(told.behaviours());
+    }
     let disputed = settled_differently(&alone);
     let [one, another] = disagreeing else {
         return disputed;
@@ -231,11 +252,12 @@ fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> 
     }
     // A small turn ties three choices together and settles none; all the other observations may.
     let without = |left_out: usize| {
-        let counted = told.iter().filter(|(at, _)| *at != left_out).copied();
-        agreeing(&counted.collect::<Vec<_>>())
+        let mut counted = told.to_vec();
+        counted.retain(|(at, _)| *at != left_out);
+        agreeing(&counted)
     };
     let together = [without(another.0), without(one.0)];
-    let sides = if together.iter().any(Vec::is_empty) {
+    let sides = if together[0].is_empty() || together[1].is_empty() {
         &alone[..]
     } else {
         &together
@@ -248,19 +270,25 @@ fn disputed(disagreeing: &[(usize, &Agreeing)], told: &[(usize, &Agreeing)]) -> 
 
 /// The choices that two of these have settled to different values.
 fn settled_differently(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
-    let settled: Vec<_> = sides
-        .iter()
-        .filter_map(|possible| Some((remaining(possible).settled(), possible.first()?)))
-        .collect();
-    let is_disputed = |axis: &BehaviourAxis| {
-        let mut values = settled
-            .iter()
-            .filter(|(settled, _)| settled.contains(axis))
-            .map(|(_, behaviour)| axis.is_second(behaviour));
-        let first = values.next();
-        values.any(|value| Some(value) != first)
-    };
-    BehaviourAxis::ALL.into_iter().filter(is_disputed).collect()
+    let mut settled = Vec::new();
+    for possible in sides {
+        if let Some(first) = possible.first() {
+            settled.push((remaining(possible).settled(), first));
+        }
+    }
+    let mut disputed = Vec::new();
+    for axis in BehaviourAxis::ALL {
+        let mut is_there = [false; 2];
+        for (settled, behaviour) in &settled {
+            if settled.contains(&axis) {
+                is_there[usize::from(axis.is_second(behaviour))] = true;
+            }
+        }
+        if is_there == [true; 2] {
+            disputed.push(axis);
+        }
+    }
+    disputed
 }
 
 /// The choices of which another value makes what one side allows what the other allows.
@@ -268,11 +296,16 @@ fn one_choice_apart(sides: &[Vec<Behaviour>]) -> Vec<BehaviourAxis> {
     let [one, other] = sides else {
         return Vec::new();
     };
-    let is_apart_by = |axis: &BehaviourAxis| {
-        let mut changed = one.iter().map(|behaviour| behaviour.with_other(*axis));
-        changed.any(|behaviour| other.contains(&behaviour))
-    };
-    BehaviourAxis::ALL.into_iter().filter(is_apart_by).collect()
+    let mut apart = Vec::new();
+    for axis in BehaviourAxis::ALL {
+        for behaviour in one {
+            if other.contains(&behaviour.with_other(axis)) {
+                apart.push(axis);
+                break;
+            }
+        }
+    }
+    apart
 }
 
 /// What no numbers tell apart: each direction of the call that rotates has two names.
@@ -375,19 +408,19 @@ fn next_probe(
         if answers.len() < 2 {
             continue;
         }
-        let expected = |size: &dyn Fn(&[Behaviour]) -> usize| -> f64 {
-            let sum: usize = answers.iter().map(|left| left.len() * size(left)).sum();
-            sum as f64 / possible.len() as f64
-        };
         // First what the library itself does, then how its user means the attitude.
-        let of_library = |left: &[Behaviour]| {
+        let (mut of_library, mut of_all) = (0, 0);
+        for left in &answers {
             let mut distinct = [false; Behaviour::COUNT];
             for behaviour in left {
-                distinct[behaviour.of_library()] = true;
+                let is_there = &mut distinct[behaviour.of_library()];
+                of_library += if *is_there { 0 } else { left.len() };
+                *is_there = true;
             }
-            distinct.into_iter().filter(|&is_there| is_there).count()
-        };
-        let leaves = (expected(&of_library), expected(&<[Behaviour]>::len));
+            of_all += left.len() * left.len();
+        }
+        let count = possible.len() as f64;
+        let leaves = (of_library as f64 / count, of_all as f64 / count);
         let is_better = best.as_ref().is_none_or(|(least, _, _)| leaves < *least);
         if is_better {
             best = Some((leaves, probe, answers.len()));

@@ -103,19 +103,26 @@ fn in_field(field: Field) -> impl Fn(Fault) -> Problem {
 /// How far the numbers may be rounded: half a unit of the last decimal, of what was printed and of
 /// what went in, whichever is more.
 pub(crate) fn rounding(probe: &Probe) -> f64 {
-    let inputs = probe.inputs().into_iter();
-    let rounded = inputs
-        .map(decimals)
-        .filter(|&decimals| decimals >= ROUNDED_DECIMALS)
-        .chain([decimals(probe.printed())]);
-    rounded.min().map_or(0.0, half_unit)
+    let mut fewest = decimals(probe.printed());
+    for input in probe.inputs() {
+        let decimals = decimals(input);
+        if decimals >= ROUNDED_DECIMALS {
+            fewest = fewest.min(decimals);
+        }
+    }
+    half_unit(fewest)
 }
 
 /// Half a unit of the last decimal of the text that has fewest, of those that are rounded.
 pub(crate) fn rounding_of(texts: &[&str]) -> f64 {
-    let decimals = texts.iter().map(|text| decimals(text));
-    let rounded = decimals.filter(|&decimals| decimals >= ROUNDED_DECIMALS);
-    rounded.min().map_or(0.0, half_unit)
+    let mut fewest = None;
+    for text in texts {
+        let decimals = decimals(text);
+        if decimals >= ROUNDED_DECIMALS && fewest.is_none_or(|fewest| decimals < fewest) {
+            fewest = Some(decimals);
+        }
+    }
+    fewest.map_or(0.0, half_unit)
 }
 
 /// Half a unit of the last of so many decimals.
@@ -126,11 +133,11 @@ pub(crate) fn half_unit(decimals: usize) -> f64 {
 /// The most digits that follow a point in a text.
 pub(crate) fn decimals(text: &str) -> usize {
     let digits = |part: &str| part.bytes().take_while(u8::is_ascii_digit).count();
-    let points = text.match_indices('.');
-    points
-        .map(|(at, _)| digits(&text[at + 1..]))
-        .max()
-        .unwrap_or(0)
+    let mut most = 0;
+    for part in text.split('.').skip(1) {
+        most = most.max(digits(part));
+    }
+    most
 }
 
 /// The text, if it is not too long to be worked on.

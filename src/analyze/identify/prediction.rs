@@ -73,8 +73,11 @@ impl Question {
     /// The question for the quaternion of a matrix.
     pub(crate) fn from_matrix(matrix: Matrix3<f64>, layout: MatrixLayout) -> Self {
         // Once for all behaviours: it is the longest of all these computations.
-        let rotations = layouts(layout, matrix).filter_map(|matrix| nearest(&matrix));
-        Self::FromMatrix(rotations.collect())
+        let mut rotations = Vec::new();
+        for matrix in layouts(layout, matrix) {
+            rotations.extend(nearest(&matrix));
+        }
+        Self::FromMatrix(rotations)
     }
 
     /// The same for behaviours that print the same because no choice that matters here tells them apart:
@@ -108,28 +111,29 @@ impl Question {
         match *self {
             Self::Components(numbers) => vec![Answer::Rotation(given(numbers))],
             Self::Product(a, b) => vec![product(behaviour.handedness, &given(a), &given(b))],
-            Self::Rotate(quaternion, vector) => behaviour
-                .rotate
-                .of(&given(quaternion))
-                .map(|matrix| Answer::Vector(matrix * vector))
-                .into_iter()
-                .collect(),
-            Self::Matrix(quaternion, layout) => behaviour
-                .matrix
-                .of(&given(quaternion))
-                .into_iter()
-                .flat_map(|matrix| layouts(layout, matrix))
-                .map(Answer::Matrix)
-                .collect(),
-            Self::FromMatrix(ref rotations) => rotations
-                .iter()
-                .map(|rotation| {
-                    Answer::Rotation(match behaviour.matrix {
+            Self::Rotate(quaternion, vector) => match behaviour.rotate.of(&given(quaternion)) {
+                Some(matrix) => vec![Answer::Vector(matrix * vector)],
+                None => Vec::new(),
+            },
+            Self::Matrix(quaternion, layout) => {
+                let mut answers = Vec::new();
+                if let Some(matrix) = behaviour.matrix.of(&given(quaternion)) {
+                    for matrix in layouts(layout, matrix) {
+                        answers.push(Answer::Matrix(matrix));
+                    }
+                }
+                answers
+            }
+            Self::FromMatrix(ref rotations) => {
+                let mut answers = Vec::new();
+                for rotation in rotations {
+                    answers.push(Answer::Rotation(match behaviour.matrix {
                         CosineMatrix::Hamilton => *rotation.canonical(),
                         CosineMatrix::Shuster => rotation.canonical().conjugate(),
-                    })
-                })
-                .collect(),
+                    }));
+                }
+                answers
+            }
             Self::QuarterTurn => {
                 let yawed = Quaternion::new(1.0, 0.0, 0.0, 1.0);
                 vec![Answer::Rotation(signed(yawed, behaviour.attitude))]
@@ -173,14 +177,12 @@ fn signed(quaternion: Quaternion<f64>, sign: ComponentSign) -> Quaternion<f64> {
     }
 }
 
-fn layouts(layout: MatrixLayout, matrix: Matrix3<f64>) -> impl Iterator<Item = Matrix3<f64>> {
-    let (as_rows, as_columns) = match layout {
-        MatrixLayout::Rows => (true, false),
-        MatrixLayout::Columns => (false, true),
-        MatrixLayout::AsWritten | MatrixLayout::Unknown => (true, true),
-    };
-    let rows = as_rows.then_some(matrix).into_iter();
-    rows.chain(as_columns.then_some(matrix.transpose()))
+fn layouts(layout: MatrixLayout, matrix: Matrix3<f64>) -> Vec<Matrix3<f64>> {
+    match layout {
+        MatrixLayout::Rows => vec![matrix],
+        MatrixLayout::Columns => vec![matrix.transpose()],
+        MatrixLayout::AsWritten | MatrixLayout::Unknown => vec![matrix, matrix.transpose()],
+    }
 }
 
 impl Answer {
@@ -242,13 +244,20 @@ impl Question {
             match known.and_then(|at| groups.get_mut(at)) {
                 Some((_, group)) => group.push(*behaviour),
                 None => {
-                    let printed = answers.iter().map(|answer| answer.printed(behaviour.array));
-                    groups.push((printed.collect(), vec![*behaviour]));
+                    let mut printed = Vec::new();
+                    for answer in answers {
+                        printed.push(answer.printed(behaviour.array));
+                    }
+                    groups.push((printed, vec![*behaviour]));
                 }
             }
             group_of[key] = Some(known.unwrap_or(groups.len() - 1));
         }
-        groups.into_iter().map(|(_, group)| group).collect()
+        let mut behaviours = Vec::new();
+        for (_, group) in groups {
+            behaviours.push(group);
+        }
+        behaviours
     }
 }
 

@@ -38,30 +38,33 @@ pub(crate) fn sentence(name: &str, left: &Remaining) -> String {
         }),
         small_turns(only(&left.perturbation), only(&left.increment_sign)),
     ];
-    let clauses: Vec<String> = clauses.into_iter().flatten().collect();
-    let open: Vec<&str> = [
+    let mut settled = Vec::new();
+    for clause in clauses {
+        settled.extend(clause);
+    }
+    let mut open = Vec::new();
+    for (count, what) in [
         (left.handedness.len(), "the product"),
         (left.constructor.len(), "the order of the constructor"),
         (left.array.len(), "the order of the printed numbers"),
         (left.rotate.len(), "how it rotates a vector"),
         (left.matrix.len(), "what its matrix is"),
-    ]
-    .into_iter()
-    .filter(|(count, _)| *count > 1)
-    .map(|(_, what)| what)
-    .collect();
+    ] {
+        if count > 1 {
+            open.push(what.to_owned());
+        }
+    }
     let mut sentences = Vec::new();
     if left.handedness.is_empty() {
         return format!("The observations of {name} contradict each other.");
     }
-    if !clauses.is_empty() {
-        sentences.push(format!("{name} {}.", joined(&clauses)));
+    if !settled.is_empty() {
+        sentences.push(format!("{name} {}.", joined(&settled)));
     }
     if let (Some(hand), Some(action)) = (only(&left.handedness), only(&left.rotate)) {
         sentences.push(conclusion(Family::of(hand, action)).to_owned());
     }
     if !open.is_empty() {
-        let open: Vec<String> = open.into_iter().map(str::to_owned).collect();
         sentences.push(format!("Not settled: {}.", joined(&open)));
     }
     sentences.join(" ")

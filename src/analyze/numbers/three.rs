@@ -145,7 +145,12 @@ impl Description {
 
     /// The attitude that the numbers are.
     fn rotation(self, numbers: [f64; 3], unit: AngleUnit) -> Option<Rotation> {
-        let numbers = numbers.map(|number| in_radians(number, unit));
+        let [one, two, three] = numbers;
+        let numbers = [
+            in_radians(one, unit),
+            in_radians(two, unit),
+            in_radians(three, unit),
+        ];
         let vector = numbers.into();
         let rotation = match self {
             Self::Euler(sequence, _) => {
@@ -164,13 +169,16 @@ impl Description {
         let Self::Euler(sequence, turns_about) = self else {
             return numbers;
         };
-        let mut left = turns_about.map(Some);
+        let mut is_left = [true; 3];
         let mut sorted = [0.0; 3];
-        for (angle, axis) in sorted.iter_mut().zip(sequence.axes.axes()) {
+        for (turn, axis) in sequence.axes.axes().into_iter().enumerate() {
             // Of an axis that stands twice the first number first.
-            if let Some(at) = left.iter().position(|other| *other == Some(axis)) {
-                *angle = numbers[at];
-                left[at] = None;
+            for at in 0..3 {
+                if is_left[at] && turns_about[at] == axis {
+                    sorted[turn] = numbers[at];
+                    is_left[at] = false;
+                    break;
+                }
             }
         }
         sorted
@@ -212,7 +220,8 @@ impl Way {
             axes = Some(sequence);
         }
         if self.direction == Direction::WorldToBody {
-            numbers = numbers.map(|number| -number);
+            let [one, two, three] = numbers;
+            numbers = [-one, -two, -three];
             if let Some(sequence) = axes {
                 numbers.reverse();
                 axes = Some(sequence.backwards());

@@ -1,5 +1,6 @@
 //! The sentences of problems of Euler sequences and of their frames.
 
+use crate::character::is_alphanumeric;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::problem::fault::{Fault, Words};
 use crate::problem::{ProblemCode, QUOTED_CHARACTERS, Span, shorten};
@@ -29,7 +30,7 @@ impl Fault {
         Self::told(ProblemCode::UnknownSequence, span, || {
             let letters: Vec<char> = written
                 .chars()
-                .filter(|mark| mark.is_alphanumeric())
+                .filter(|mark| is_alphanumeric(*mark))
                 .collect();
             let follows_itself = letters
                 .windows(2)

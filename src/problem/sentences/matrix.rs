@@ -135,7 +135,7 @@ impl Fault {
 
     pub(crate) fn scaled_columns(span: Span, lengths: [f64; 3]) -> Self {
         Self::told(ProblemCode::NotARotation, span, || {
-            let [x, y, z] = lengths.map(short);
+            let [x, y, z] = [short(lengths[0]), short(lengths[1]), short(lengths[2])];
             Words::new(
                 format!(
                     "the columns of this matrix are those of a rotation times {x}, {y} and {z}"
@@ -158,7 +158,7 @@ impl Fault {
 
     pub(crate) fn not_a_rotation(span: Span, lengths: [f64; 3], correction: Option<f64>) -> Self {
         Self::told(ProblemCode::NotARotation, span, || {
-            let [x, y, z] = lengths.map(short);
+            let [x, y, z] = [short(lengths[0]), short(lengths[1]), short(lengths[2])];
             let far = match correction {
                 Some(correction) => format!("{} away from the nearest rotation", short(correction)),
                 None => "far from a rotation".to_owned(),

@@ -113,8 +113,8 @@ fn vector_of_angles(tokens: &[Token<'_>], span: Span, what: &str) -> Result<[Ang
     let entries = grammar::entries(tokens)?;
     if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
         let part = |number| (Linear::real(number), span);
-        let vector: [f64; 3] = quaternion::vector(&entries, span)?.into();
-        return Ok(vector.map(part));
+        let vector = quaternion::vector(&entries, span)?;
+        return Ok([part(vector.x), part(vector.y), part(vector.z)]);
     }
     three(&entries, span, what)
 }

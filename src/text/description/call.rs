@@ -88,16 +88,19 @@ struct RotationCall<'e, 't> {
 
 impl<'e, 't> RotationCall<'e, 't> {
     fn of(name: &'t str, arguments: &'e [Entry<'t>], span: Span) -> Self {
-        let unnamed = arguments.iter().filter(|entry| entry.key.is_none());
-        let named = arguments
-            .iter()
-            .filter_map(|entry| Some((entry.key?, &entry.node)));
+        let (mut positional, mut named) = (Vec::new(), Vec::new());
+        for entry in arguments {
+            match entry.key {
+                Some(key) => named.push((key, &entry.node)),
+                None => positional.push(&entry.node),
+            }
+        }
         Self {
             name,
             takes: calls::takes(name)
                 .or_else(|| constructors::is_matrix(name).then_some(RowsOrColumns)),
-            positional: unnamed.map(|entry| &entry.node).collect(),
-            named: named.collect(),
+            positional,
+            named,
             span,
         }
     }
@@ -157,7 +160,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             }
             ModifiedRodrigues => {
                 self.check_names(&[])?;
-                let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
+                let entries = all_alone(&self.positional);
                 quaternion::vector(&entries, self.span).map(ParsedRotation::ModifiedRodrigues)
             }
             SequenceThenAngles => self.sequence_then_angles(),
@@ -175,7 +178,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             RowsOrColumns => return Err(Fault::rows_or_columns(self.span, self.name)),
             Matrix => {
                 self.check_names(&["dtype"])?;
-                let entries: Vec<_> = self.positional.iter().map(|node| alone(node)).collect();
+                let entries = all_alone(&self.positional);
                 matrix::matrix(&entries, self.span).map(ParsedRotation::Matrix)
             }
             Rotation => return Ok(None),
@@ -226,16 +229,18 @@ impl<'e, 't> RotationCall<'e, 't> {
 
     fn by_names(&self) -> Result<ParsedRotation, Fault> {
         self.check_names(&["axis", "angle", "radians", "degrees"])?;
-        let angles = ["angle", "radians", "degrees"].map(|name| self.named(name));
-        let unit = match angles {
-            [Some(_), None, None] => RADIANS,
-            [None, Some(_), None] => UnitRule::ForAll(AngleUnit::Radians),
-            [None, None, Some(_)] => UnitRule::ForAll(AngleUnit::Degrees),
+        let angles = (
+            self.named("angle"),
+            self.named("radians"),
+            self.named("degrees"),
+        );
+        let (angle, unit) = match angles {
+            (Some(angle), None, None) => (angle, RADIANS),
+            (None, Some(angle), None) => (angle, UnitRule::ForAll(AngleUnit::Radians)),
+            (None, None, Some(angle)) => (angle, UnitRule::ForAll(AngleUnit::Degrees)),
             _ => return Err(self.arguments("axis= and one of degrees=, radians=, angle=")),
         };
-        let angle = angles.into_iter().flatten().next();
-        let (Some(axis), Some(angle), []) = (self.named("axis"), angle, &self.positional[..])
-        else {
+        let (Some(axis), []) = (self.named("axis"), &self.positional[..]) else {
             return Err(self.arguments("axis= and one of degrees=, radians=, angle="));
         };
         let angle = (angle.angle()?, angle.span);
@@ -243,8 +248,7 @@ impl<'e, 't> RotationCall<'e, 't> {
     }
 
     fn three(&self, nodes: &[&Node<'_>], what: &str) -> Result<[Angle; 3], Fault> {
-        let entries: Vec<_> = nodes.iter().map(|node| alone(node)).collect();
-        three(&entries, self.span, what)
+        three(&all_alone(nodes), self.span, what)
     }
 
     /// Radians, or degrees where `degrees=True` says so.
@@ -306,10 +310,11 @@ impl<'e, 't> RotationCall<'e, 't> {
         let (letters, span) = letters.unwrap_or(("XYZ", self.span));
         let sequence = euler_sequence(letters, span, None)?;
         let by_axis = self.three(angles, THREE_ANGLES)?;
-        let angles = sequence.axes.axes().map(|axis| by_axis[axis.index()]);
+        let [one, two, three] = sequence.axes.places();
         if sequence.is_proper() || sequence.frame == EulerFrame::Extrinsic {
             return Err(self.arguments("three angles and three different letters, as in 'XYZ'"));
         }
+        let angles = [by_axis[one], by_axis[two], by_axis[three]];
         euler_angles(sequence, angles, RADIANS)
     }
 
@@ -341,4 +346,12 @@ fn single_axis(node: &Node<'_>) -> Option<nalgebra::Vector3<f64>> {
 
 fn matrix_of(node: &Node<'_>) -> Result<ParsedRotation, Fault> {
     matrix::matrix(&[alone(node)], node.span).map(ParsedRotation::Matrix)
+}
+
+fn all_alone<'t>(nodes: &[&Node<'t>]) -> Vec<Entry<'t>> {
+    let mut entries = Vec::new();
+    for node in nodes {
+        entries.push(alone(node));
+    }
+    entries
 }

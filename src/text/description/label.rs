@@ -25,12 +25,14 @@ impl<'t> OtherLabel<'t> {
         if !cfg!(feature = "whole") {
             return None;
         }
-        let names: Vec<Token<'t>> = label
-            .iter()
-            .filter(|token| is_name(token))
-            .copied()
-            .collect();
-        let words: Vec<&str> = names.iter().map(|name| name.text).collect();
+        let mut names: Vec<Token<'t>> = Vec::new();
+        let mut words = Vec::new();
+        for token in label {
+            if is_name(token) {
+                names.push(*token);
+                words.push(token.text);
+            }
+        }
         let other = other_than_rotation(&words.join(" "))?;
         let is_it = |name: &&Token<'t>| other_than_rotation(name.text) == Some(other);
         let name = *names.iter().find(is_it).or(names.last())?;

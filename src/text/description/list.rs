@@ -114,9 +114,11 @@ pub(crate) fn sequence_among_numbers(members: &[Entry<'_>]) -> Option<Span> {
         return None;
     };
     let value = first.node.real().ok().filter(|_| members.len() == 4)?;
-    let names_axes = (111..=333)
-        .filter(|&number| f64::from(number) == value)
-        .any(|number: u16| number.to_string().parse::<EulerSequence>().is_ok());
+    let mut names_axes = false;
+    for number in 111..=333_u32 {
+        names_axes |=
+            f64::from(number) == value && number.to_string().parse::<EulerSequence>().is_ok();
+    }
     let are_named = members.iter().any(|entry| entry.key.is_some());
     (names_axes && !are_named).then_some(first.node.span)
 }

@@ -1,6 +1,7 @@
 //! The nine numbers of a matrix: rows in brackets, rows as programs print them, or one after the
 //! other.
 
+use crate::character::is_digit;
 use crate::problem::fault::Fault;
 use crate::problem::{Span, is_too_long};
 use crate::text::description::list::{
@@ -52,7 +53,11 @@ fn of_members(entries: &[Entry<'_>], span: Span) -> Result<Matrix3<f64>, Fault> 
         Rows::OfLengths(rows) => {
             check_signs(entries)?;
             numbers = values(entries)?;
-            rows.iter().map(|row| row.len()).collect()
+            let mut lengths = Vec::new();
+            for row in rows {
+                lengths.push(row.len());
+            }
+            lengths
         }
         Rows::Unmarked => {
             check_separators(entries, span)?;
@@ -93,7 +98,15 @@ fn rows<'e, 't>(entries: &'e [Entry<'t>]) -> Rows<'e, 't> {
     }
     let is_after_comma = |entry: &Entry<'_>| entry.lead == Lead::AfterComma;
     let split_by = |starts: &dyn Fn(&Entry<'_>) -> bool| -> Vec<&'e [Entry<'t>]> {
-        entries.chunk_by(|_, next| !starts(next)).collect()
+        let mut rows = Vec::new();
+        let mut first = 0;
+        for at in 1..=entries.len() {
+            if at == entries.len() || starts(&entries[at]) {
+                rows.push(&entries[first..at]);
+                first = at;
+            }
+        }
+        rows
     };
     let by_commas = split_by(&is_after_comma);
     // MATLAB's rows end in semicolons; elsewhere a row ends with its line.
@@ -153,7 +166,7 @@ impl RowMarks {
     }
 
     fn in_layout(text: &str) -> Self {
-        let has_digits = |line: &&str| line.contains(|c: char| c.is_ascii_digit());
+        let has_digits = |line: &&str| line.contains(is_digit);
         let lines = text.split(['\n', ';']).filter(has_digits).count();
         let has_three = |part: &&str| part.split_whitespace().count() == 3;
         let between_commas = text.split(',').filter(has_three).count();

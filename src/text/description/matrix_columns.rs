@@ -82,11 +82,12 @@ pub(crate) fn matrix(
     let Some(kind) = vectors.first().map(|vector| vector.kind) else {
         return Err(Fault::matrix_count(span, 0));
     };
-    let lowest = vectors.iter().map(|vector| vector.number).min();
     let first = match kind {
         LabelKind::Axis => 0,
         // Numbered from 0 or from 1.
-        LabelKind::Column | LabelKind::Row => usize::from(lowest > Some(0)),
+        LabelKind::Column | LabelKind::Row => {
+            usize::from(vectors.iter().all(|vector| vector.number > 0))
+        }
     };
     let name = |place: usize| kind.name(place + first);
     let mut columns = [None; 3];
@@ -104,11 +105,13 @@ pub(crate) fn matrix(
         }
     }
     let [Some(x), Some(y), Some(z)] = columns else {
-        let missing = (0..3).filter(|&place| columns[place].is_none());
-        return Err(Fault::missing_vector(
-            span,
-            &missing.map(name).collect::<Vec<_>>(),
-        ));
+        let mut missing = Vec::new();
+        for (place, column) in columns.iter().enumerate() {
+            if column.is_none() {
+                missing.push(name(place));
+            }
+        }
+        return Err(Fault::missing_vector(span, &missing));
     };
     let matrix = Matrix3::from_columns(&[x, y, z]);
     Ok(match kind {

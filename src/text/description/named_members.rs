@@ -129,14 +129,18 @@ pub(crate) fn named(entries: &[Entry<'_>], span: Span, wanted: Wanted) -> Result
             return Err(Fault::duplicate_component(whole, COMPONENT_NAMES[place]));
         }
     }
-    let missing: Vec<_> = (4 - wanted.count()..4)
-        .filter(|&place| found[place].is_none())
-        .map(|place| COMPONENT_NAMES[place])
-        .collect();
+    let mut missing = Vec::new();
+    let mut numbers = [0.0; 4];
+    for place in 4 - wanted.count()..4 {
+        match found[place] {
+            Some(number) => numbers[place] = number,
+            None => missing.push(COMPONENT_NAMES[place]),
+        }
+    }
     if !missing.is_empty() {
         return Err(Fault::missing_component(span, wanted, &missing));
     }
-    Ok(found.map(Option::unwrap_or_default))
+    Ok(numbers)
 }
 
 /// The members of one value, where headings (`orientation:`) or paths (`pose.orientation.x`) tell

@@ -115,9 +115,14 @@ pub(crate) fn rotation(
         return description::axis_angle(axis, angle, angle::rule(for_all, UnitRule::Magnitude));
     }
     let names = [Part::Roll, Part::Pitch, Part::Yaw];
-    let [Some(roll), Some(pitch), Some(yaw)] = names.map(find) else {
-        let missing = names.into_iter().filter(|part| find(*part).is_none());
-        let missing: Vec<_> = missing.map(<&str>::from).collect();
+    let [Some(roll), Some(pitch), Some(yaw)] = [find(names[0]), find(names[1]), find(names[2])]
+    else {
+        let mut missing: Vec<&str> = Vec::new();
+        for part in names {
+            if find(part).is_none() {
+                missing.push(part.into());
+            }
+        }
         return Err(Fault::missing_part(span, &missing));
     };
     // A unit apart after the last number is one for all.
@@ -135,8 +140,8 @@ pub(crate) fn rotation(
     }
     let rule = angle::rule(unit.or(for_all), UnitRule::Magnitude);
     let sequence = announcement.sequence_of_named_angles()?;
-    let angles = sequence.axes.axes().map(|axis| by_axis[axis.index()]);
-    euler_angles(sequence, angles, rule)
+    let [one, two, three] = sequence.axes.places();
+    euler_angles(sequence, [by_axis[one], by_axis[two], by_axis[three]], rule)
 }
 
 /// The angle that tokens are, in the unit that the name of the part says.

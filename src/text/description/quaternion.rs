@@ -215,11 +215,16 @@ fn read_quaternion(
 
 /// The most that a name of the whole or of a component says, or the heading above it.
 fn said_of(entries: &[Entry<'_>]) -> Named {
-    let path = |name| str::rsplit_once(name, ['.', ':']).map(|(path, _)| path);
-    let keys = entries.iter().filter_map(|entry| entry.key);
-    let names = keys.flat_map(|key| [Some(key.name), key.heading, path(key.name)]);
-    let said = names.flatten().map(Named::by).max();
-    said.unwrap_or(Named::Anything)
+    let mut said = Named::Anything;
+    for entry in entries {
+        if let Some(key) = entry.key {
+            let path = key.name.rsplit_once(['.', ':']).map(|(path, _)| path);
+            for name in [Some(key.name), key.heading, path] {
+                said = said.max(name.map_or(Named::Anything, Named::by));
+            }
+        }
+    }
+    said
 }
 
 /// Whether a list is a quaternion by its count, and no vector part.
@@ -388,10 +393,14 @@ fn numbers<const COUNT: usize>(
     wanted: Wanted,
 ) -> Result<[f64; COUNT], Fault> {
     check_separators(entries, span)?;
-    let numbers: Vec<_> = values.iter().map(|(value, _)| value.scalar).collect();
-    numbers
-        .try_into()
-        .map_err(|found: Vec<f64>| Fault::wrong_count(span, wanted, found.len()))
+    if values.len() != COUNT {
+        return Err(Fault::wrong_count(span, wanted, values.len()));
+    }
+    let mut numbers = [0.0; COUNT];
+    for (number, (value, _)) in numbers.iter_mut().zip(values) {
+        *number = value.scalar;
+    }
+    Ok(numbers)
 }
 
 /// The sum of members such as `0.92` and `+0.38k`, which a list reads apart; `None` where there is

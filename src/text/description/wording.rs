@@ -115,11 +115,13 @@ fn other_label<'t>(tokens: &[Token<'t>]) -> Option<OtherLabel<'t>> {
 
 /// The `rpy="…"` of elements of URDF, or more than one of them without an element.
 fn attributes<'s, 't>(tokens: &'s [Token<'t>]) -> Vec<&'s [Token<'t>]> {
-    let is_attribute = |three: &&[Token<'_>]| {
-        three[0].text == "rpy" && is_mark(three.get(1)) && three[2].kind == TokenKind::Quoted
-    };
     let is_element = |first: &Token<'_>| first.kind == TokenKind::Open(Bracket::Angle);
-    let found: Vec<_> = tokens.windows(3).filter(is_attribute).collect();
+    let mut found = Vec::new();
+    for three in tokens.windows(3) {
+        if three[0].text == "rpy" && is_mark(three.get(1)) && three[2].kind == TokenKind::Quoted {
+            found.push(three);
+        }
+    }
     if found.len() > 1 || tokens.first().is_some_and(is_element) {
         return found;
     }

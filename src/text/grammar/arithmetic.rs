@@ -144,7 +144,7 @@ impl Linear {
     pub(crate) fn negated(self) -> Self {
         Self {
             scalar: -self.scalar,
-            units: self.units.map(|units| units.map(|unit| -unit)),
+            units: self.units.map(|[i, j, k]| [-i, -j, -k]),
             ..self
         }
     }
@@ -158,7 +158,7 @@ impl Linear {
         if let (Quantity::Angle(_), Quantity::Angle(_)) = (self.quantity, other.quantity) {
             return Err(Fault::second_unit(span));
         }
-        let product = linear.map_checked(span, factor != 0.0, |number| number * factor)?;
+        let product = linear.map_checked(span, factor != 0.0, &|number| number * factor)?;
         Ok(Self {
             quantity: self.quantity.with(other.quantity),
             ..product
@@ -175,7 +175,7 @@ impl Linear {
         if matches!(other.quantity, Quantity::Angle(_)) {
             return Err(Fault::second_unit(other_span));
         }
-        self.map_checked(span, true, |number| number / other.scalar)
+        self.map_checked(span, true, &|number| number / other.scalar)
     }
 
     /// An angle of so many degrees or radians.
@@ -217,36 +217,36 @@ impl Linear {
         self,
         span: Span,
         keeps_non_zero: bool,
-        scale: impl Fn(f64) -> f64,
+        scale: &dyn Fn(f64) -> f64,
     ) -> Result<Self, Fault> {
+        let mut parts = self.parts();
+        for part in &mut parts {
+            let before = *part;
+            *part = scale(before);
+            if keeps_non_zero && before != 0.0 && *part == 0.0 {
+                return Err(Fault::too_small(span));
+            }
+        }
+        let [scalar, i, j, k] = parts;
         let scaled = Self {
-            scalar: scale(self.scalar),
-            units: self.units.map(|units| units.map(&scale)),
+            scalar,
+            units: self.units.and(Some([i, j, k])),
             ..self
         };
-        let vanished = keeps_non_zero
-            && self
-                .parts()
-                .zip(scaled.parts())
-                .any(|(before, after)| before != 0.0 && after == 0.0);
-        if vanished {
-            return Err(Fault::too_small(span));
-        }
         scaled.checked(span)
     }
 
     fn checked(self, span: Span) -> Result<Self, Fault> {
-        if self.parts().all(f64::is_finite) {
+        if self.parts().iter().all(|part| part.is_finite()) {
             Ok(self)
         } else {
             Err(Fault::too_large(span))
         }
     }
 
-    fn parts(&self) -> impl Iterator<Item = f64> + use<> {
-        [self.scalar]
-            .into_iter()
-            .chain(self.units.into_iter().flatten())
+    fn parts(&self) -> [f64; 4] {
+        let [i, j, k] = self.units.unwrap_or_default();
+        [self.scalar, i, j, k]
     }
 }
 

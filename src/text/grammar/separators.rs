@@ -127,7 +127,12 @@ impl Group {
                 None => Ok(None),
             };
         }
-        let parts: Vec<_> = self.parts.iter().filter(|(_, count)| *count > 0).collect();
+        let mut parts = Vec::new();
+        for part in &self.parts {
+            if part.1 > 0 {
+                parts.push(part);
+            }
+        }
         let fault = || {
             let place = &tokens[self.start..];
             let span = place

@@ -3,7 +3,7 @@
 use crate::problem::QUOTED_CHARACTERS;
 use crate::problem::fault::Fault;
 use crate::text::grammar::arithmetic::Linear;
-use crate::text::grammar::lex::{Token, TokenKind};
+use crate::text::grammar::lex::{Token, TokenKind, texts_of};
 
 /// A sign that may mean something else, where only white space separates numbers.
 #[derive(Clone, Debug)]
@@ -42,8 +42,8 @@ impl RepeatedSign {
         let [first, .., last] = signs else {
             return None;
         };
-        let shown = signs.iter().take(QUOTED_CHARACTERS + 1);
-        let written: String = shown.map(|sign| sign.text).collect();
+        let shown = &signs[..signs.len().min(QUOTED_CHARACTERS + 1)];
+        let written = texts_of(shown).concat();
         let kinds = [first.kind, last.kind];
         Some(Self {
             fault: Fault::repeated_sign(first.span.to(last.span), &written),

@@ -1,6 +1,7 @@
 //! What four numbers may be meant as where their norm is not that of a rotation, or where they are one of
 //! two things, each as a text that says so.
 
+use crate::character::is_alphabetic;
 use crate::convention::angle::{AngleUnit, UnitSource};
 use crate::convention::order::OrderSource;
 use crate::problem::Span;
@@ -89,10 +90,13 @@ pub(crate) fn of_two(
     ) else {
         return Vec::new();
     };
-    let digits: Vec<&str> = place.split("").filter(|digit| !digit.is_empty()).collect();
-    let is_sequence = digits.len() == 3;
+    let is_sequence = place.chars().count() == 3;
     let other = if is_sequence {
-        let sequence = digits.join("-");
+        let mut sequence = String::new();
+        for digit in place.chars() {
+            sequence.push_str(if sequence.is_empty() { "" } else { "-" });
+            sequence.push(digit);
+        }
         Suggestion::new(Remedy::AsEulerAngles, format!("{before}{sequence}{after}"))
     } else {
         Suggestion::new(Remedy::AsAxisAngle, format!("axis-angle {text}"))
@@ -130,7 +134,7 @@ pub(crate) fn with_sequences(
     let after = after.trim_start_matches([':', '=', ' ', '\t']);
     // `Euler angles (deg): 10 20 30`
     let mut unit = "";
-    for word in text[place.start..place.end].split(|mark: char| !mark.is_alphabetic()) {
+    for word in text[place.start..place.end].split(|mark: char| !is_alphabetic(mark)) {
         match AngleUnit::named(word) {
             Some(AngleUnit::Degrees) => unit = " deg",
             Some(AngleUnit::Radians) => unit = " rad",

@@ -1,6 +1,6 @@
 //! The ways in which the text of a problem is rewritten, each as a list of texts to try.
 
-use crate::character::is_space_of_numbers;
+use crate::character::{begins_number, is_alphanumeric, is_digit, is_space_of_numbers};
 use crate::character::{decorates, plain_character};
 use crate::problem::ProblemCode;
 use crate::problem::fault::Fault;
@@ -59,11 +59,12 @@ fn matched_brackets(fault: &Fault, text: &str) -> Vec<String> {
         let open = from.chars().next();
         let pair = PAIRS.iter().find(|(opening, _)| Some(*opening) == open);
         let encloses_list = from.contains(',') || !from.contains(is_factor);
-        return pair
-            .filter(|_| !binds(before) && encloses_list)
-            .map(|(_, closing)| format!("{}{closing}", text.trim_end()))
-            .into_iter()
-            .collect();
+        return match pair {
+            Some((_, closing)) if !binds(before) && encloses_list => {
+                vec![format!("{}{closing}", text.trim_end())]
+            }
+            _ => Vec::new(),
+        };
     }
     let mut open = Vec::new();
     for character in before.chars() {
@@ -89,7 +90,7 @@ fn matched_brackets(fault: &Fault, text: &str) -> Vec<String> {
 /// Whether a text ends in what takes the next bracket for its operand: a sign, a factor, a function.
 fn binds(before: &str) -> bool {
     let before = before.trim_end();
-    let rest = before.trim_end_matches(|c: char| c.is_alphanumeric() || "_.:".contains(c));
+    let rest = before.trim_end_matches(|c: char| is_alphanumeric(c) || "_.:".contains(c));
     let name = &before[rest.len()..];
     before.ends_with(is_sign) || before.ends_with(is_factor) || Linear::is_function(name)
 }
@@ -122,7 +123,7 @@ fn groups_digits(text: &str, is_mark: fn(char) -> bool) -> Vec<bool> {
             continue;
         }
         let (before, after) = (&text[..at], &text[at + mark.len_utf8()..]);
-        let rest = before.trim_end_matches(|digit: char| digit.is_ascii_digit());
+        let rest = before.trim_end_matches(is_digit);
         let group = &before[rest.len()..];
         let follow = after.bytes().take_while(u8::is_ascii_digit).count();
         let is_group = rest.ends_with('.') || !group.starts_with('0');
@@ -178,11 +179,12 @@ fn decimal_points(_: &Fault, text: &str) -> Vec<String> {
         return Vec::new();
     }
     let is_digit = |at: usize| text.as_bytes().get(at).is_some_and(u8::is_ascii_digit);
-    let points = text.char_indices().map(|(at, character)| {
+    let mut points = String::new();
+    for (at, character) in text.char_indices() {
         let is_inside = character == ',' && at > 0 && is_digit(at - 1) && is_digit(at + 1);
-        if is_inside { '.' } else { character }
-    });
-    vec![points.collect()]
+        points.push(if is_inside { '.' } else { character });
+    }
+    vec![points]
 }
 
 /// A sign before the first number may be the dash of a list, which is no sign.
@@ -193,7 +195,7 @@ fn attached_sign(fault: &Fault, text: &str) -> Vec<String> {
     match (before, sign, after) {
         (Some(before), Some(sign @ ("-" | "−" | "–" | "+")), Some(after))
             if before.len() < fault.span.start
-                && before.ends_with(|c: char| c.is_alphanumeric() || c == '.') =>
+                && before.ends_with(|c: char| is_alphanumeric(c) || c == '.') =>
         {
             vec![format!("{before} {sign}{}", after.trim_start())]
         }
@@ -206,9 +208,8 @@ fn separated_numbers(fault: &Fault, text: &str) -> Vec<String> {
     let Some(written) = text.get(fault.span.start..fault.span.end) else {
         return Vec::new();
     };
-    let is_between = |(at, sign): &(usize, char)| {
-        is_sign(*sign) && written[..*at].ends_with(|c: char| c.is_ascii_digit() || c == '.')
-    };
+    let is_between =
+        |(at, sign): &(usize, char)| is_sign(*sign) && written[..*at].ends_with(begins_number);
     let separated = written
         .char_indices()
         .find(is_between)

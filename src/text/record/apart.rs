@@ -8,7 +8,7 @@ use crate::text::record::found::{Context, Found, label_of};
 use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, made, quaternion};
-use crate::text::record::quantity::Group;
+use crate::text::record::quantity::{Group, Named, NamedNumber};
 
 /// Three numbers without a name in the brackets that hold four numbers of a quaternion: `((x, y, z), (…))`.
 pub(crate) fn positions_beside(quantities: &Quantities<'_>, found: &[Found]) -> Vec<Found> {
@@ -56,42 +56,47 @@ fn by_names(quantities: &Quantities<'_>) -> Option<Found> {
     let vector = quantities.groups.iter().find(|group| {
         group.numbers.len() == 3 && Meaning::of(&group.path).role == Some(Role::Vector)
     })?;
-    let scalar = quantities
-        .named
-        .iter()
-        .filter(|named| named.scope == vector.scope)
-        .flat_map(|named| &named.members)
-        .find(|member| matches!(member.name.as_str(), "real" | "s" | "w" | "scalar" | "re"))?;
+    let scalar = member(quantities, &|named, name| {
+        named.scope == vector.scope && matches!(name, "real" | "s" | "w" | "scalar" | "re")
+    })?;
     let is_computed = vector.is_computed || scalar.is_computed;
     grouped(scalar.value, scalar.span, vector, is_computed)
 }
 
 fn by_place(quantities: &Quantities<'_>) -> Option<Found> {
     let is_quaternion = |path: &[&str]| Meaning::of(path).role == Some(Role::Quaternion);
-    let in_brackets = quantities.groups.windows(2).find_map(|pair| {
-        let [scalar, vector] = pair else {
-            return None;
-        };
-        let is_it = scalar.numbers.len() == 1
+    for pair in quantities.groups.windows(2) {
+        let (scalar, vector) = (&pair[0], &pair[1]);
+        if let &[number] = &scalar.numbers[..]
             && vector.numbers.len() == 3
             && scalar.scope == vector.scope
-            && is_quaternion(&scalar.path);
-        is_it
-            .then(|| grouped(scalar.numbers[0], scalar.span, vector, scalar.is_computed))
-            .flatten()
-    });
-    in_brackets.or_else(|| {
-        let scalar = quantities
-            .named
-            .iter()
-            .flat_map(|named| &named.members)
-            .find(|member| member.name == "quaternion")?;
-        let vector = quantities
-            .groups
-            .iter()
-            .find(|group| group.span.start >= scalar.span.end)?;
-        grouped(scalar.value, scalar.span, vector, scalar.is_computed)
-    })
+            && is_quaternion(&scalar.path)
+            && let Some(found) = grouped(number, scalar.span, vector, scalar.is_computed)
+        {
+            return Some(found);
+        }
+    }
+    let scalar = member(quantities, &|_, name| name == "quaternion")?;
+    let vector = quantities
+        .groups
+        .iter()
+        .find(|group| group.span.start >= scalar.span.end)?;
+    grouped(scalar.value, scalar.span, vector, scalar.is_computed)
+}
+
+/// The first of the single numbers that is meant.
+fn member<'q>(
+    quantities: &'q Quantities<'_>,
+    is_it: &dyn Fn(&Named<'_>, &str) -> bool,
+) -> Option<&'q NamedNumber> {
+    for named in &quantities.named {
+        for member in &named.members {
+            if is_it(named, &member.name) {
+                return Some(member);
+            }
+        }
+    }
+    None
 }
 
 fn grouped(scalar: f64, span: Span, vector: &Group<'_>, is_computed: bool) -> Option<Found> {
@@ -120,29 +125,27 @@ pub(crate) fn axis_beside_angle(quantities: &Quantities<'_>, context: &Context) 
             && (!group.is_of_call || is_openscad())
             && (role(&group.path) == Some(Role::Axis) || is_openscad())
     });
-    let named_axis = || {
-        quantities.named.iter().find_map(|named| {
-            let mut path = named.path.clone();
-            path.push(&named.stem);
-            (role(&path) == Some(Role::Axis) && named.members.len() == 3).then(|| {
-                let numbers: Vec<f64> = named.members.iter().map(|member| member.value).collect();
-                let span = named.members[0].span.to(named.members[2].span);
-                (numbers, span)
-            })
-        })
-    };
-    let (axis, axis_span) = group
-        .map(|group| (group.numbers.clone(), group.span))
-        .or_else(named_axis)?;
-    let (angle, meaning) = quantities.named.iter().find_map(|named| {
-        let member = named.members.iter().find(|member| {
-            member.name == "angle" || member.name == "a" && named.path.ends_with(&["rotate"])
-        })?;
+    let mut axis = group.map(|group| (group.numbers.clone(), group.span));
+    let mut angle = None;
+    for named in &quantities.named {
         let mut path = named.path.clone();
         path.push(&named.stem);
-        Some((member, Meaning::of(&path)))
-    })?;
-    let numbers: Vec<f64> = axis.into_iter().chain([angle.value]).collect();
+        let meaning = Meaning::of(&path);
+        if let ([x, y, z], None, Some(Role::Axis)) = (&named.members[..], &axis, meaning.role) {
+            axis = Some((vec![x.value, y.value, z.value], x.span.to(z.span)));
+        }
+        let is_rotate = named.path.ends_with(&["rotate"]);
+        let member = named
+            .members
+            .iter()
+            .find(|member| member.name == "angle" || member.name == "a" && is_rotate);
+        if let (Some(member), None) = (member, &angle) {
+            angle = Some((member, meaning));
+        }
+    }
+    let (mut numbers, axis_span) = axis?;
+    let (angle, meaning) = angle?;
+    numbers.push(angle.value);
     let said = context.said(&meaning);
     Some(Found {
         made: made(&[Part::AxisAngle(Unit::BySize)], &numbers, said)?.pop()?,

@@ -9,7 +9,6 @@ use crate::text::record::group::Quantities;
 use crate::text::record::of_group::{groups_together, of_group, vector_then_angle};
 use crate::text::record::of_named::of_named;
 use crate::text::record::turns::turns;
-use std::collections::BinaryHeap;
 
 /// All that is understood of the quantities of a text.
 pub(crate) fn found(
@@ -57,13 +56,17 @@ pub(crate) fn found(
     in_order(all)
 }
 
-/// The same as they follow each other in the text; a heap takes less code than a sort.
-fn in_order(all: Vec<Found>) -> Vec<Found> {
-    let starts: Vec<(usize, usize)> = all.iter().map(|found| found.span.start).zip(0..).collect();
-    let mut all: Vec<Option<Found>> = all.into_iter().map(Some).collect();
-    let sorted = BinaryHeap::from(starts).into_sorted_vec();
+/// The same as they follow each other in the text. Places are moved, which are small, and not what is found.
+fn in_order(mut all: Vec<Found>) -> Vec<Found> {
+    let mut order: Vec<usize> = Vec::new();
+    for (at, found) in all.iter().enumerate() {
+        let place = order.partition_point(|&other| all[other].span.start <= found.span.start);
+        order.insert(place, at);
+    }
+    let mut sorted = Vec::new();
+    for at in order {
+        let span = all[at].span;
+        sorted.push(std::mem::replace(&mut all[at], Found::at(span)));
+    }
     sorted
-        .into_iter()
-        .filter_map(|(_, at)| all[at].take())
-        .collect()
 }

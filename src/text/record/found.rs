@@ -113,10 +113,7 @@ pub(crate) fn next_key<'t>(path: &[&'t str]) -> Option<&'t str> {
 pub(crate) fn stands_under(path: &[&str], names: &str) -> bool {
     let own = path.iter().rev().copied().find(|key| !key.is_empty());
     let next = next_key(path).filter(|next| Some(*next) != own);
-    [own, next]
-        .into_iter()
-        .flatten()
-        .any(|key| is_one_of(key, names))
+    own.is_some_and(|key| is_one_of(key, names)) || next.is_some_and(|key| is_one_of(key, names))
 }
 
 fn is_one_of(key: &str, names: &str) -> bool {

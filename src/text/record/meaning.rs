@@ -1,5 +1,6 @@
 //! What the name of numbers says that they are.
 
+use crate::character::{is_alphanumeric, is_digit, is_of_name, parts_words};
 use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::order::ComponentOrder;
@@ -102,7 +103,7 @@ const ROLES: &[(Role, &str)] = &[
 /// What a word says.
 fn role_of_word(word: &str) -> Option<Role> {
     // `MLMatrix44`, `vec3`: sizes say nothing.
-    let bare = word.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    let bare = word.trim_end_matches(is_digit);
     let word = if bare == "matrix" { bare } else { word };
     // Four numbers of a vector have an order of their own.
     if word.starts_with("vector4") || word.starts_with("vec4") {
@@ -199,7 +200,7 @@ impl Meaning {
         }
         // Of a line that was typed at a prompt no two words are one name.
         let derived = key
-            .split(|mark: char| !mark.is_alphanumeric() && !"_.'ᵀ".contains(mark))
+            .split(|mark: char| !is_alphanumeric(mark) && !"_.'ᵀ".contains(mark))
             .any(|name| is_derived(name) && !name.contains(WITH_COVARIANCE))
             || words
                 .iter()
@@ -231,9 +232,7 @@ impl Meaning {
         let words = words_of(key);
         let pairs = words.windows(2);
         // `T` is a transform and `t` a translation; `R` is a matrix.
-        let first = key
-            .split(|mark: char| !mark.is_alphanumeric())
-            .find(|word| !word.is_empty());
+        let first = key.split(parts_words).find(|word| !word.is_empty());
         if first == Some("T") {
             return Some(Role::Matrix);
         }
@@ -263,7 +262,7 @@ impl Meaning {
             word.chars().count() > 1
                 || word == "±"
                 || key
-                    .split(|mark: char| !mark.is_alphanumeric())
+                    .split(parts_words)
                     .any(|own| own.to_ascii_lowercase() == word)
         };
         // `omega_q`, `gyro_q`: another quantity in the same name is what it is.
@@ -303,9 +302,7 @@ const WITH_COVARIANCE: &str = "WithCovariance";
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {
     match key.split_once('(') {
-        Some((name, _)) if name.ends_with(|last: char| last.is_alphanumeric() || last == '_') => {
-            name
-        }
+        Some((name, _)) if name.ends_with(is_of_name) => name,
         _ => key,
     }
 }

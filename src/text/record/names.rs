@@ -1,5 +1,6 @@
 //! Names to the words in them, and words that are numbers.
 
+use crate::character::{is_alphabetic, is_alphanumeric, is_digit, is_of_name};
 use crate::decimal::nearest_double;
 use crate::text::vocabulary::decimal_words::is_decimal;
 use crate::text::vocabulary::is_listed;
@@ -13,20 +14,20 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
         let next_is_small = characters
             .peek()
             .is_some_and(|next| next.is_ascii_lowercase());
-        let is_part = mark.is_alphanumeric() || mark == '°' || mark == '±';
+        let is_part = is_alphanumeric(mark) || mark == '°' || mark == '±';
         // `quat2eul` is quat, eul.
         if mark == '2'
-            && before.is_alphabetic()
-            && characters.peek().is_some_and(|next| next.is_alphabetic())
+            && is_alphabetic(before)
+            && characters.peek().is_some_and(|next| is_alphabetic(*next))
         {
             before = ' ';
             continue;
         }
-        let begins = !before.is_alphanumeric()
+        let begins = !is_alphanumeric(before)
             || (before.is_ascii_lowercase() && mark.is_ascii_uppercase())
             || (before.is_ascii_uppercase() && mark.is_ascii_uppercase() && next_is_small)
             || (before.is_ascii_digit()
-                && mark.is_alphabetic()
+                && is_alphabetic(mark)
                 && before != ' '
                 && mark.is_ascii_uppercase());
         if is_part {
@@ -44,7 +45,7 @@ pub(crate) fn words_of(name: &str) -> Vec<String> {
 
 /// The names in a key as they are written, in small letters: `CFrame.new` is cframe, new.
 pub(crate) fn identifiers_of(key: &str) -> impl Iterator<Item = String> + '_ {
-    key.split(|mark: char| !mark.is_alphanumeric() && mark != '_')
+    key.split(|mark| !is_of_name(mark))
         .filter(|name| !name.is_empty())
         .map(str::to_ascii_lowercase)
 }
@@ -90,8 +91,7 @@ pub(crate) fn name_and_stem(key: &str) -> (String, String) {
     }
     words.retain(|word| !is_filler(word));
     // `q[0]` is q0, `matrix[1][2]` and `M12` are m12.
-    let is_place =
-        |word: &str| word.len() == 1 && word.starts_with(|first: char| first.is_ascii_digit());
+    let is_place = |word: &str| word.len() == 1 && word.starts_with(is_digit);
     if is_place(&name) && words.last().is_some_and(|last| is_place(last)) {
         let row = words.pop().unwrap_or_default();
         name = format!("m{row}{name}");
@@ -141,10 +141,12 @@ pub(crate) fn names_of_list(key: &str, count: usize) -> Option<Vec<&str>> {
     if !(3..=7).contains(&count) {
         return None;
     }
-    let names: Vec<&str> = key
-        .split(|mark: char| mark.is_whitespace() || ",;/|()[]".contains(mark))
-        .filter(|name| !name.is_empty())
-        .collect();
+    let mut names = Vec::new();
+    for name in key.split(|mark: char| mark.is_whitespace() || ",;/|()[]".contains(mark)) {
+        if !name.is_empty() {
+            names.push(name);
+        }
+    }
     let is_one = |name: &&str| {
         let (own, stem) = name_and_stem(name);
         stem.is_empty() && is_listed(&own, ANGLES)

@@ -25,7 +25,8 @@ pub(crate) fn of_group(
         unit: group.unit.or(meaning.unit).or(context.unit),
         ..context.said(&meaning)
     };
-    let of_fields = fields.iter().find_map(|(field, format)| {
+    let mut of_fields = None;
+    for (field, format) in fields {
         let (is_it, parts) = match field {
             Field::Under(names, parts) => (stands_under(&group.path, names), parts),
             Field::Any(parts) => (true, parts),
@@ -37,13 +38,13 @@ pub(crate) fn of_group(
             | Field::Groups(_)
             | Field::VectorThenAngle(_)
             | Field::AngleThenVector(_)
-            | Field::Sentence(..) => {
-                return None;
-            }
+            | Field::Sentence(..) => continue,
         };
-        let made = is_it.then(|| made(parts, &group.numbers, said)).flatten()?;
-        Some((made, *format))
-    });
+        if is_it && let Some(made) = made(parts, &group.numbers, said) {
+            of_fields = Some((made, *format));
+            break;
+        }
+    }
     let (made, format) = of_fields.unwrap_or_else(|| {
         let made = by_name(group, &meaning, context, said);
         let is_ordered = made.iter().any(|made| {
@@ -323,8 +324,11 @@ fn vector_unit(said: Said<'_>) -> UnitSource {
 }
 
 /// The only reading that there is.
-fn only<const COUNT: usize>(readings: [Option<Vec<Made>>; COUNT]) -> Option<Vec<Made>> {
-    let mut found = readings.into_iter().flatten();
-    let first = found.next()?;
-    found.next().is_none().then_some(first)
+fn only(readings: [Option<Vec<Made>>; 3]) -> Option<Vec<Made>> {
+    match readings {
+        [Some(only), None, None] | [None, Some(only), None] | [None, None, Some(only)] => {
+            Some(only)
+        }
+        _ => None,
+    }
 }

@@ -27,18 +27,16 @@ pub(crate) fn of_named(
         return;
     }
     let has_scalar = named.members.iter().any(|member| member.name == "w");
-    let mut left: Vec<&NamedNumber> = named.members.iter().collect();
+    let mut left: Vec<&NamedNumber> = Vec::new();
+    let mut all_names = String::new();
+    for member in &named.members {
+        all_names.push_str(if left.is_empty() { "" } else { " " });
+        all_names.push_str(&member.name);
+        left.push(member);
+    }
     for (field, format) in fields {
         let (names, parts) = match field {
-            Field::OnlyNamed(names, parts)
-                if named
-                    .members
-                    .iter()
-                    .map(|member| member.name.as_str())
-                    .eq(names.split(' ')) =>
-            {
-                (names, parts)
-            }
+            Field::OnlyNamed(names, parts) if all_names == *names => (names, parts),
             Field::Named(names, parts) => (names, parts),
             // With a scalar beside them they are no angles.
             Field::NamedUnder(above, names, parts) if stands_under(&path, above) && !has_scalar => {
@@ -57,10 +55,14 @@ pub(crate) fn of_named(
         };
         // `euler_123 = {roll: …}`: names that cannot have this sequence.
         let has_sequence = || {
-            let words = path.iter().flat_map(|key| words_of(key));
-            words
-                .filter(|word| word != "xyz")
-                .any(|word| is_sequence(&word))
+            for key in &path {
+                for word in words_of(key) {
+                    if word != "xyz" && is_sequence(&word) {
+                        return true;
+                    }
+                }
+            }
+            false
         };
         let is_other = matches!(
             meaning.role,
@@ -74,9 +76,13 @@ pub(crate) fn of_named(
         if matches!(parts, [Part::Euler(_)]) && format.is_none() && is_denied {
             continue;
         }
-        let numbers: Vec<f64> = members.iter().map(|member| member.value).collect();
+        let mut numbers = Vec::new();
+        let mut unit = None;
+        for member in &members {
+            numbers.push(member.value);
+            unit = unit.or(member.unit);
+        }
         let mut said = context.said(&meaning);
-        let unit = members.iter().find_map(|member| member.unit);
         let differs = |other: Option<AngleUnit>| other.is_some() && unit.is_some() && other != unit;
         if differs(context.unit) || members.iter().any(|member| differs(member.unit)) {
             continue;

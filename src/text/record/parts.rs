@@ -1,7 +1,7 @@
 //! Numbers to a rotation and what stands beside it, as a list of parts says.
 
 use crate::convention::angle::{AngleUnit, UnitSource, degrees_in_radians, turn_in_radians};
-use crate::convention::euler_sequence::{Axis, EulerFrame, EulerSequence};
+use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::text::description::quaternion::ParsedQuaternion;
 use crate::text::description::{
@@ -178,9 +178,11 @@ fn euler(numbers: [f64; 3], angles: Angles, said: Said<'_>) -> Option<ParsedRota
         (_, None, Some(letters)) => told_sequence(letters, angles.letters)?,
     };
     let places = match angles.places {
-        Places::Listed([one, two, three]) => [one, two, three].map(usize::from),
+        Places::Listed([one, two, three]) => {
+            [usize::from(one), usize::from(two), usize::from(three)]
+        }
         Places::ByAxis if sequence.is_proper() => return None,
-        Places::ByAxis => sequence.axes.axes().map(Axis::index),
+        Places::ByAxis => sequence.axes.places(),
     };
     let unit = unit(angles.unit, &numbers, said);
     let mut angles_rad = [0.0; 3];
@@ -234,14 +236,13 @@ fn turn(angle: f64, unit: AngleUnit) -> f64 {
 }
 
 pub(crate) fn rotation_vector(numbers: [f64; 3], unit: UnitSource) -> ParsedRotation {
-    let in_radians = |angle| match unit.unit() {
-        AngleUnit::Degrees => degrees_in_radians(angle),
-        AngleUnit::Radians => angle,
-    };
-    ParsedRotation::RotationVector(ParsedRotationVector {
-        vector_rad: Vector3::from(numbers.map(in_radians)),
-        unit,
-    })
+    let mut vector_rad = Vector3::from(numbers);
+    if unit.unit() == AngleUnit::Degrees {
+        for angle in &mut vector_rad {
+            *angle = degrees_in_radians(*angle);
+        }
+    }
+    ParsedRotation::RotationVector(ParsedRotationVector { vector_rad, unit })
 }
 
 fn axis_angle(axis: &[f64], angle: f64, unit_of_format: Unit, said: Said<'_>) -> Option<Made> {
@@ -304,7 +305,8 @@ fn unscaled(matrix: Matrix3<f64>) -> Option<(Matrix3<f64>, Option<[f64; 3]>)> {
     if let Some(matrix) = orthonormal(matrix) {
         return Some((matrix, None));
     }
-    let scale = [0, 1, 2].map(|column| matrix.column(column).norm());
+    let length = |column| matrix.column(column).norm();
+    let scale = [length(0), length(1), length(2)];
     if scale
         .iter()
         .any(|length| *length < ROUNDED_ZERO || !length.is_finite())

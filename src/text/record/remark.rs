@@ -1,6 +1,7 @@
 //! What is said of numbers outside of their name: behind them in their line, and in the code above that printed
 //! them.
 
+use crate::character::{is_alphabetic, is_alphanumeric, is_capital, is_of_name};
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::prompt;
 use crate::text::vocabulary::labels::is_derived;
@@ -26,10 +27,10 @@ fn length_of_remark(line: &str) -> usize {
         let is_comment = ["#", "//", "--", "/*", "%"]
             .iter()
             .any(|begin| after.starts_with(begin));
-        if is_comment && !before.is_alphanumeric() {
+        if is_comment && !is_alphanumeric(before) {
             return line.len();
         }
-        let is_number = mark.is_ascii_digit() && !before.is_alphanumeric() && before != '_';
+        let is_number = mark.is_ascii_digit() && !is_alphanumeric(before) && before != '_';
         if is_number || "[{<:=\"".contains(mark) {
             return name;
         }
@@ -82,7 +83,7 @@ fn is_typed(line: &str) -> bool {
 /// What a line of code makes of its matrix or quaternion, by its calls and marks.
 pub(crate) fn made_by_code(line: &str) -> Option<&'static str> {
     let mut end = 0;
-    for name in line.split(|mark: char| !mark.is_alphanumeric() && mark != '_') {
+    for name in line.split(|mark| !is_of_name(mark)) {
         end += name.len();
         let is_call = line[end..].starts_with('(');
         match name {
@@ -111,8 +112,8 @@ fn is_transposed(line: &str) -> bool {
     let (Some((at, _)), None) = (quotes.next(), quotes.next()) else {
         return false;
     };
-    line[..at].ends_with(|last: char| last.is_alphanumeric() || last == ')')
-        && !line[at + 1..].starts_with(|next: char| next.is_alphanumeric())
+    line[..at].ends_with(|last: char| is_alphanumeric(last) || last == ')')
+        && !line[at + 1..].starts_with(is_alphanumeric)
 }
 
 /// What the remark behind numbers says that is no word of a label: `rad/s`, `m`, `+ eps …`.
@@ -135,7 +136,7 @@ pub(crate) fn made_above(text: &str) -> Option<(Span, &'static str)> {
         let at = start + line.len() - first.len();
         let before = line[..line.len() - first.len()].chars().next_back();
         let is_number = !first.is_empty()
-            && before.is_none_or(|before| !before.is_alphanumeric() && before != '_');
+            && before.is_none_or(|before| !is_alphanumeric(before) && before != '_');
         if is_number && !is_typed(line.trim()) {
             let code = code_above(text, at)?;
             return Some((code, made_by_code(&text[code.start..code.end])?));
@@ -191,18 +192,13 @@ fn made_by_marks(label: &str) -> Option<&'static str> {
         return None;
     }
     let has = |marks: &[&str]| marks.iter().any(|mark| label.contains(mark));
-    let is_name = |name: &str| {
-        name.starts_with(char::is_alphabetic)
-            && name
-                .chars()
-                .all(|mark| mark.is_alphanumeric() || mark == '_')
-    };
+    let is_name = |name: &str| name.starts_with(is_alphabetic) && name.chars().all(is_of_name);
     let bare = label.trim_end_matches(['*', '\'']);
     if has(&["⁻", "^-1", "^{-1}", "^(-1)"]) {
         return Some("an inverse");
     }
     // `q'` may be another one than q.
-    let is_matrix = bare.starts_with(|first: char| first.is_ascii_uppercase());
+    let is_matrix = bare.starts_with(is_capital);
     if has(&["^T", "^t", "^{T}", "^H"]) || (label.ends_with('\'') && is_name(bare) && is_matrix) {
         return Some("a transpose");
     }

@@ -1,5 +1,6 @@
 //! Numbers whose names say that they are the rows or the columns of one matrix.
 
+use crate::character::is_digit;
 use crate::text::record::names::{names_of_list, words_of};
 use crate::text::record::quantity::{Group, own_key};
 
@@ -134,7 +135,7 @@ fn take_numbering(group: &mut Group<'_>) {
     let Some(name) = words_of(own_key(group)).pop() else {
         return;
     };
-    let stem = name.trim_end_matches(|digit: char| digit.is_ascii_digit());
+    let stem = name.trim_end_matches(is_digit);
     if !["biomt", "mtrix", "smtry"].contains(&stem) {
         return;
     }

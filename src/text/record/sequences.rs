@@ -1,5 +1,6 @@
 //! Sequences of Euler angles in names.
 
+use crate::character::{is_alphabetic, is_capital, parts_words};
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 
 /// The sequence of Euler angles in a name: `rpy`, `Yaw-Pitch-Roll`, `euler_zyx`, `intrinsic XYZ`.
@@ -34,15 +35,13 @@ pub(crate) fn sequence_of(key: &str, words: &[String]) -> Option<EulerSequence> 
     }
     let is_euler = words.iter().any(|word| word.starts_with("eul"));
     let letters = key
-        .split(|mark: char| !mark.is_alphanumeric())
+        .split(parts_words)
         .find(|word| word.len() == 3 && word.parse::<EulerSequence>().is_ok())?;
     let sequence: EulerSequence = letters.parse().ok()?;
     match frame {
         Some(frame) => Some(EulerSequence { frame, ..sequence }),
         // Capitals in a name are moving axes; small letters there may be only the style of names.
-        None if is_euler && letters.starts_with(|mark: char| mark.is_ascii_uppercase()) => {
-            Some(sequence)
-        }
+        None if is_euler && letters.starts_with(is_capital) => Some(sequence),
         None => None,
     }
 }
@@ -71,7 +70,7 @@ fn primed(key: &str) -> Option<EulerSequence> {
             Some((_, count)) if PRIMES.contains(&mark) => {
                 *count += if mark == '″' { 2 } else { 1 }
             }
-            _ if mark.is_alphabetic() => axes.push((mark, 0)),
+            _ if is_alphabetic(mark) => axes.push((mark, 0)),
             _ => {}
         }
     }

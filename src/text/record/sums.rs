@@ -1,5 +1,6 @@
 //! Sums of units among other words: `Q = -0.9 + 0.2*i + 0.1*j + 0.3*k`.
 
+use crate::character::{is_alphanumeric, is_digit};
 use crate::convention::order::{ComponentOrder, OrderSource};
 use crate::decimal::nearest_double;
 use crate::problem::Span;
@@ -74,7 +75,7 @@ fn term(text: &str, is_first: bool) -> Option<(usize, usize, f64)> {
     if unsigned[end..].starts_with('.') {
         end += 1 + digits(&unsigned[end + 1..]);
     }
-    if !unsigned[..end].contains(|digit: char| digit.is_ascii_digit()) {
+    if !unsigned[..end].contains(is_digit) {
         return None;
     }
     if unsigned[end..].starts_with(['e', 'E']) {
@@ -89,7 +90,7 @@ fn term(text: &str, is_first: bool) -> Option<(usize, usize, f64)> {
     let behind = rest.trim_start_matches([' ', '*', '·']);
     let unit = behind.chars().next().filter(|unit| {
         let next = behind[unit.len_utf8()..].chars().next();
-        !next.is_some_and(|next| next.is_alphanumeric() || next == '_')
+        !next.is_some_and(|next| is_alphanumeric(next) || next == '_')
     });
     let (place, rest) = match unit {
         Some('i' | '𝐢' | '𝒊' | 'î') => (1, &behind[unit?.len_utf8()..]),

@@ -1,5 +1,6 @@
 //! Rows of a file under a line of names: each number gets the name of its column.
 
+use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::Span;
 use crate::text::record::names::{finite_decimal, is_usual_name};
@@ -80,12 +81,9 @@ impl<'t> Table<'t> {
         let start = text.find(begins)?;
         let line = text[start..].lines().next()?;
         let inside = line.split('*').next()?;
-        let cells: Vec<&str> = inside[begins.len()..]
-            .trim_start_matches(',')
-            .split(',')
-            .collect();
+        let cells = inside[begins.len()..].trim_start_matches(',').split(',');
         let mut groups = Vec::new();
-        for (cell, name) in cells.iter().zip(*names) {
+        for (cell, name) in cells.zip(*names) {
             if !name.is_empty()
                 && let Some(mut group) = group(text, cell, &[name], Divided::Commas)
             {
@@ -164,7 +162,10 @@ impl<'t> Table<'t> {
         let cells = &lines[row].1;
         let mut groups = Vec::new();
         for (column, cell) in cells[cells.len() - count..].iter().enumerate() {
-            let names: Vec<&str> = (first..=at).map(|line| lines[line].1[column]).collect();
+            let mut names = Vec::new();
+            for (_, cells) in &lines[first..=at] {
+                names.push(cells[column]);
+            }
             groups.extend(group(text, cell, &names, way));
         }
         Some(Self { groups, rows, head })
@@ -260,10 +261,13 @@ fn cells(line: &str, way: Divided) -> Vec<&str> {
         Divided::Semicolons => ';',
         Divided::Spaces => return line.split_whitespace().collect(),
         Divided::Anything => {
-            let mut cells = line
-                .split(|mark: char| mark.is_whitespace() || ",;[](){}|".contains(mark))
-                .collect::<Vec<_>>();
-            cells.retain(|cell| !cell.is_empty());
+            let mut cells = Vec::new();
+            for cell in line.split(|mark: char| mark.is_whitespace() || ",;[](){}|".contains(mark))
+            {
+                if !cell.is_empty() {
+                    cells.push(cell);
+                }
+            }
             return cells;
         }
     };
@@ -295,7 +299,7 @@ fn number(cell: &str, way: Divided) -> Option<f64> {
 }
 
 fn is_name(cell: &str) -> bool {
-    cell.starts_with(|first: char| first.is_alphabetic() || "_%.".contains(first))
+    cell.starts_with(|first: char| is_alphabetic(first) || "_%.".contains(first))
 }
 
 /// The number of a cell under the names of its column.

@@ -1,5 +1,6 @@
 //! Which order the constructors of known libraries take their numbers in.
 
+use crate::character::is_capital;
 use crate::convention::order::ComponentOrder::{self, ScalarFirst, ScalarLast};
 use crate::text::grammar::lex::last_segment;
 
@@ -78,7 +79,7 @@ pub(crate) fn call(name: &str) -> Call {
     let computes = OPERATIONS.iter().any(|word| lower.contains(word))
         || ["to", "as"].iter().any(|word| {
             last.strip_prefix(word)
-                .is_some_and(|rest| rest.starts_with(|mark: char| mark.is_ascii_uppercase()))
+                .is_some_and(|rest| rest.starts_with(is_capital))
         });
     if computes || names_both_orders(last) {
         return Call::Other;

@@ -64,9 +64,10 @@ fn words_of_declaration(tokens: &[Token<'_>], before: Option<&Token<'_>>) -> usi
 
 /// `Eigen::Quaterniond q(…)`
 fn constructs(tokens: &[Token<'_>]) -> bool {
-    let brackets = [Bracket::Round, Bracket::Curly].map(TokenKind::Open);
     matches!(tokens, [made, name, open, ..]
-        if is_word(made) && is_word(name) && brackets.contains(&open.kind))
+        if is_word(made)
+            && is_word(name)
+            && matches!(open.kind, TokenKind::Open(Bracket::Round | Bracket::Curly)))
 }
 
 /// `q = …`, `double q[4] = …`, `q: Quat<f64> = …`: an equals sign before any number outside brackets.

@@ -3,6 +3,7 @@
 //! A label is a name before a mark, as in `q_wxyz = …` or `worldToBody: …`. A word that stands in none of the
 //! lists says nothing, so that any name may be given to a rotation.
 
+use crate::character::{is_alphanumeric, parts_words};
 use crate::convention::Direction;
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
@@ -16,7 +17,7 @@ pub(crate) fn words_of(name: &str) -> Vec<&str> {
     let mut words = Vec::new();
     let mut rest = name;
     loop {
-        rest = rest.trim_start_matches(|character: char| !character.is_alphanumeric());
+        rest = rest.trim_start_matches(parts_words);
         let (word, after) = rest.split_at(end_of_word(rest));
         if word.is_empty() {
             return words;
@@ -33,7 +34,7 @@ fn end_of_word(text: &str) -> usize {
     while let Some((at, character)) = characters.next() {
         let starts_lower =
             |next: Option<&(usize, char)>| next.is_some_and(|(_, next)| next.is_ascii_lowercase());
-        let ends = !character.is_alphanumeric()
+        let ends = !is_alphanumeric(character)
             || matches!(character, 'ᵀ' | 'ᵗ')
             || before.is_some_and(|before| {
                 before.is_ascii_digit() != character.is_ascii_digit()

@@ -4,7 +4,7 @@ use crate::convention::angle::AngleUnit;
 use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::text::grammar::lex::{Token, TokenKind, last_segment};
+use crate::text::grammar::lex::{Token, TokenKind, last_segment, texts_of};
 use crate::text::vocabulary::labels::other_than_rotation;
 
 /// What numbers can be announced as.
@@ -107,10 +107,8 @@ pub(crate) fn phrase_ahead<'t>(tokens: &[Token<'t>]) -> Option<Phrase<'t>> {
         let said = match Said::of(words) {
             None if is_mark(tokens.get(length)) => {
                 // `imu rate rpy:` is something else, as `rpy_rate:` is.
-                let is_rotation = || {
-                    let label: Vec<_> = tokens[..length].iter().map(|token| token.text).collect();
-                    other_than_rotation(&label.join(" ")).is_none()
-                };
+                let is_rotation =
+                    || other_than_rotation(&texts_of(&tokens[..length]).join(" ")).is_none();
                 Said::of_label(words).filter(|_| !cfg!(feature = "whole") || is_rotation())
             }
             said => said,
@@ -250,7 +248,7 @@ pub(crate) fn digits_ahead(tokens: &[Token<'_>], form: Option<Form>) -> Option<u
         };
         touches && is_right_kind
     });
-    let written: String = digits.iter().map(|token| token.text).collect();
+    let written = texts_of(digits).concat();
     let is_known = is_euler
         || written
             .replace(['−', '–'], "-")

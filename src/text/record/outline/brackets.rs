@@ -1,5 +1,6 @@
 //! What brackets and elements hold.
 
+use crate::character::is_digit;
 use crate::problem::Span;
 use crate::text::record::outline::{Builder, Kind, Member, Open, Opened, Pending, scope};
 use crate::text::record::scan::{Mark, Token};
@@ -136,7 +137,7 @@ impl<'t> Builder<'t> {
             add(key, self.span_of(key));
         }
         // The time of a log says nothing of what follows.
-        let is_time = |text: &str| text.starts_with(|first: char| first.is_ascii_digit());
+        let is_time = |text: &str| text.starts_with(is_digit);
         for member in &open.member.members {
             if !is_time(member.text) {
                 add(member.text, member.span);

@@ -1,5 +1,6 @@
 //! What the beginning of a text is, by its characters alone.
 
+use crate::character::{begins_number, is_alphabetic, is_alphanumeric, is_of_name};
 use crate::text::record::names::finite_decimal;
 use std::f64::consts::PI;
 
@@ -48,16 +49,13 @@ pub(crate) fn is_checksum(text: &str) -> bool {
     let digits = text.get(1..3).unwrap_or("");
     let ends = text
         .get(3..)
-        .is_none_or(|rest| !rest.starts_with(char::is_alphanumeric));
+        .is_none_or(|rest| !rest.starts_with(is_alphanumeric));
     ends && digits.len() == 2 && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
 }
 
 /// How many bytes at the start are a name.
 pub(crate) fn name(text: &str) -> usize {
-    text.len()
-        - text
-            .trim_start_matches(|mark: char| mark.is_alphanumeric() || mark == '_')
-            .len()
+    text.len() - text.trim_start_matches(is_of_name).len()
 }
 
 /// How many bytes at the start are types in brackets: names alone, and sizes.
@@ -71,10 +69,10 @@ pub(crate) fn types(text: &str) -> usize {
         return 0;
     };
     let inside = &text[1..end];
-    let is_types = inside.starts_with(char::is_alphabetic)
+    let is_types = inside.starts_with(is_alphabetic)
         && inside
             .chars()
-            .all(|mark| mark.is_alphanumeric() || "_:, ".contains(mark))
+            .all(|mark| is_alphanumeric(mark) || "_:, ".contains(mark))
         && !inside.contains(": ");
     if is_types { end + 1 } else { 0 }
 }
@@ -137,7 +135,7 @@ const UNITS: [&str; 12] = [
 /// How many bytes at the start are no number though they begin with a digit: `3x3`, `4×4`, `17a3`, `10.0.0.1`.
 pub(crate) fn identifier(text: &str) -> Option<usize> {
     let length = text
-        .find(|mark: char| !(mark.is_alphanumeric() || "_.×".contains(mark)))
+        .find(|mark: char| !(is_alphanumeric(mark) || "_.×".contains(mark)))
         .unwrap_or(text.len());
     let written = text[..length].trim_end_matches('.');
     let points = written.matches('.').count();
@@ -146,13 +144,13 @@ pub(crate) fn identifier(text: &str) -> Option<usize> {
         .into_iter()
         .find_map(|suffix| written.strip_suffix(suffix))
         .unwrap_or(number);
-    let unit = number.trim_start_matches(|mark: char| mark.is_ascii_digit() || mark == '.');
+    let unit = number.trim_start_matches(begins_number);
     let is_exponent = unit.strip_prefix(['e', 'E', 'D']).is_some_and(|rest| {
         rest.bytes().all(|byte| byte.is_ascii_digit())
             && (!rest.is_empty() || text[length..].starts_with(['+', '-']))
     });
     let is_unit = |unit: &str| UNITS.contains(&unit);
-    let whole = written.trim_start_matches(|mark: char| mark.is_ascii_digit() || mark == '.');
+    let whole = written.trim_start_matches(begins_number);
     let is_known = unit.is_empty() || is_exponent || is_unit(unit) || is_unit(whole);
     (points > 1 || !is_known).then_some(written.len().max(1))
 }
@@ -177,8 +175,5 @@ pub(crate) fn part_of_pi(text: &str) -> Option<(usize, f64)> {
 pub(crate) fn is_axis(text: &str) -> bool {
     let mut letters = text.chars().rev();
     let is_letter = letters.next().is_some_and(|last| "XYZxyz".contains(last));
-    is_letter
-        && letters
-            .next()
-            .is_none_or(|before| !before.is_alphanumeric())
+    is_letter && letters.next().is_none_or(|before| !is_alphanumeric(before))
 }

@@ -12,6 +12,7 @@ mod number;
 // Names, quotes and tags.
 mod word;
 
+use crate::character::{begins_number, is_alphabetic, is_capital, is_digit};
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::{
     element, index, is_checksum, name, part_of_pi, prompt, row_label,
@@ -151,7 +152,7 @@ impl<'t> Scanner<'t> {
             let own = item.trim_start_matches([' ', '\t']);
             // Before several numbers a dash may be a sign.
             let mut line = own.lines().next().unwrap_or("").split_whitespace();
-            let is_number = |word: &str| word.starts_with(|first: char| first.is_ascii_digit());
+            let is_number = |word: &str| word.starts_with(is_digit);
             if line.next().is_some_and(is_number) && line.next().is_some_and(is_number) {
                 break;
             }
@@ -183,7 +184,7 @@ impl<'t> Scanner<'t> {
             && rest[..name]
                 .bytes()
                 .all(|byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || byte == b'_')
-            && rest.starts_with(|first: char| first.is_ascii_uppercase())
+            && rest.starts_with(is_capital)
             && rest[name..].starts_with(',');
         if is_record {
             self.push(Mark::Word, name);
@@ -243,7 +244,7 @@ impl<'t> Scanner<'t> {
             // The type of a value of Maya: `setAttr ".r" -type "double3" 1 2 3`.
             '-' if rest.starts_with("-type \"double3\"") => self.at += "-type \"double3\"".len(),
             // Bold face.
-            '*' if second == '*' && !rest[2..].starts_with(|mark: char| mark.is_ascii_digit()) => {
+            '*' if second == '*' && !rest[2..].starts_with(is_digit) => {
                 self.at += 2;
             }
             // What a name is explained by; a line of its own is read.
@@ -312,7 +313,7 @@ impl<'t> Scanner<'t> {
                     mark: Mark::Number(_),
                     ..
                 })
-            ) && !second.is_alphabetic() =>
+            ) && !is_alphabetic(second) =>
             {
                 self.push(Mark::Operator, 1);
             }
@@ -350,7 +351,7 @@ impl<'t> Scanner<'t> {
             {
                 self.push(Mark::Operator, 1);
             }
-            _ if first.is_alphabetic() || first == '_' => self.word(),
+            _ if is_alphabetic(first) || first == '_' => self.word(),
             // What is not known between two digits, such as what is not seen.
             _ if !first.is_ascii()
                 && second.is_ascii_digit()
@@ -376,8 +377,7 @@ impl<'t> Scanner<'t> {
     fn is_between_numbers(&self, length: usize) -> bool {
         let last = self.tokens.last().map(|last| last.mark);
         let after = self.rest()[length..].trim_start_matches(' ');
-        matches!(last, Some(Mark::Number(_)))
-            && after.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        matches!(last, Some(Mark::Number(_))) && after.starts_with(begins_number)
     }
 
     fn operator(&mut self, first: char) {

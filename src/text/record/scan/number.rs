@@ -1,5 +1,6 @@
 //! Numbers and their signs.
 
+use crate::character::{begins_number, is_alphabetic, is_alphanumeric, is_of_name};
 use crate::decimal::nearest_double;
 use crate::text::record::scan::lexemes::{identifier, time};
 use crate::text::record::scan::{Decimals, Mark, Scanner, Token};
@@ -9,8 +10,7 @@ impl<'t> Scanner<'t> {
         let length = first.len_utf8();
         let rest = self.rest();
         let after = &rest[length..];
-        let is_digit =
-            |text: &str| text.starts_with(|first: char| first.is_ascii_digit() || first == '.');
+        let is_digit = |text: &str| text.starts_with(begins_number);
         if after.starts_with("->") || after.starts_with('>') {
             let dashes = after.len() - after.trim_start_matches('-').len();
             self.push(Mark::Label, length + dashes + 1);
@@ -32,11 +32,11 @@ impl<'t> Scanner<'t> {
             return;
         }
         let flag = &rest[dashes..];
-        if dashes > 2 && !flag.starts_with(|first: char| first.is_alphabetic()) {
+        if dashes > 2 && !flag.starts_with(is_alphabetic) {
             self.at += dashes;
             return;
         }
-        if flag.starts_with(|first: char| first.is_alphabetic())
+        if flag.starts_with(is_alphabetic)
             && !matches!(
                 self.touching(),
                 Some(Mark::Word | Mark::Number(_) | Mark::Close)
@@ -46,7 +46,7 @@ impl<'t> Scanner<'t> {
             let dashes = rest.len() - flag.len();
             let name = flag.len()
                 - flag
-                    .trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-".contains(mark))
+                    .trim_start_matches(|mark: char| is_of_name(mark) || mark == '-')
                     .len();
             self.push(Mark::Flag, dashes + name);
             return;
@@ -151,7 +151,7 @@ impl<'t> Scanner<'t> {
         // A suffix, or a full stop behind the last number of a sentence.
         let after = self.rest();
         let suffix = after.trim_start_matches(['f', 'F', 'd', 'L', '_']);
-        let ends = |text: &str| !text.starts_with(|next: char| next.is_alphanumeric());
+        let ends = |text: &str| !text.starts_with(is_alphanumeric);
         if suffix.len() + 1 == after.len() && ends(suffix) {
             self.at += 1;
         } else if let Some(suffix) = ["_f64", "_f32", "f64", "f32"]
@@ -159,9 +159,7 @@ impl<'t> Scanner<'t> {
             .find(|suffix| after.strip_prefix(suffix).is_some_and(ends))
         {
             self.at += suffix.len();
-        } else if after.starts_with('.')
-            && !after[1..].starts_with(|next: char| next.is_alphanumeric())
-        {
+        } else if after.starts_with('.') && !after[1..].starts_with(is_alphanumeric) {
             self.at += 1;
         }
     }

@@ -1,5 +1,6 @@
 //! Names, what stands in quotes, and tags.
 
+use crate::character::{begins_name, is_alphabetic, is_alphanumeric, is_capital, is_digit};
 use crate::problem::Span;
 use crate::text::record::names::finite_decimal;
 use crate::text::record::scan::lexemes::{element, is_axis, name, types};
@@ -19,14 +20,9 @@ impl<'t> Scanner<'t> {
             // `tf2-echo`, `body-to-world`; `x-0.5` is a difference.
             let is_code = || {
                 let own = &next[..name(next)];
-                after.starts_with('-')
-                    && own.starts_with(|first: char| first.is_ascii_digit())
-                    && own.contains(|mark: char| mark.is_ascii_uppercase())
+                after.starts_with('-') && own.starts_with(is_digit) && own.contains(is_capital)
             };
-            if is_joint
-                && (next.starts_with(|first: char| first.is_alphabetic() || first == '_')
-                    || is_code())
-            {
+            if is_joint && (next.starts_with(begins_name) || is_code()) {
                 end += joint + name(next);
             } else if is_axis(&rest[..end]) && after.starts_with('\'') {
                 // A moved axis: `Z-Y'-X''`.
@@ -43,7 +39,7 @@ impl<'t> Scanner<'t> {
         let after = &rest[end..];
         let argument = types(after);
         if after[argument..].starts_with('\'')
-            && !after[argument + 1..].starts_with(|next: char| next.is_alphanumeric())
+            && !after[argument + 1..].starts_with(is_alphanumeric)
         {
             self.push(Mark::Word, end + argument);
             self.push(Mark::Operator, 1);
@@ -86,7 +82,7 @@ impl<'t> Scanner<'t> {
                     && part.contains(|digit: char| digit.is_ascii_digit() || digit == '$')
             })
             .count();
-        let is_flag = inside.starts_with("--") && inside[2..].starts_with(char::is_alphabetic);
+        let is_flag = inside.starts_with("--") && inside[2..].starts_with(is_alphabetic);
         if is_flag {
             let span = Span::from(self.at + 1..self.at + 1 + length);
             self.tokens.push(Token {
@@ -133,13 +129,13 @@ impl<'t> Scanner<'t> {
         let inside = &rest[1..];
         let length = inside.len()
             - inside
-                .trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-.:".contains(mark))
+                .trim_start_matches(|mark: char| is_alphanumeric(mark) || "_-.:".contains(mark))
                 .len();
         let after = inside[length..].trim_start();
         let attribute =
-            after.trim_start_matches(|mark: char| mark.is_alphanumeric() || "_-:.".contains(mark));
+            after.trim_start_matches(|mark: char| is_alphanumeric(mark) || "_-:.".contains(mark));
         let is_tag = length > 0
-            && inside.starts_with(|first: char| first.is_alphabetic())
+            && inside.starts_with(is_alphabetic)
             && (after.starts_with('>')
                 || after.starts_with("/>")
                 || attribute.len() < after.len()

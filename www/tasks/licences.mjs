@@ -68,12 +68,7 @@ function withTexts(name, licence, folder) {
   const files = readdirSync(folder).filter((file) => licenceFile.test(file));
   const offersMit = / OR /.test(licence) && files.some((file) => /mit/i.test(file));
   const chosen = files.filter((file) => !(offersMit && alternatives.test(file)));
-  if (chosen.length === 0) {
-    // The text of Apache 2.0 names nobody, so it is the same wherever it stands.
-    if (!licence.includes("Apache-2.0"))
-      throw new Stop(`${name} has no text of its licence (${licence})`);
-    return { names: [name], licence, texts: [read(root, "LICENSE-APACHE")] };
-  }
+  if (chosen.length === 0) throw new Stop(`${name} has no text of its licence (${licence})`);
   return { names: [name], licence, texts: chosen.map((file) => read(folder, file)) };
 }
 

@@ -1,6 +1,14 @@
 //! What single characters are: dashes, frames that are drawn, spaces that group digits, what is not seen.
 
-pub(crate) use crate::letter::{is_alphabetic, is_alphanumeric};
+/// A letter of any script: one function for all that ask, with its tables once.
+pub(crate) fn is_alphabetic(character: char) -> bool {
+    character.is_alphabetic()
+}
+
+/// A letter or a digit of any script.
+pub(crate) fn is_alphanumeric(character: char) -> bool {
+    character.is_alphanumeric()
+}
 
 /// White space, and what takes no space at all but separates words.
 pub(crate) fn is_blank(character: char) -> bool {

@@ -29,8 +29,7 @@
 //! # Reading the code
 //!
 //! Each folder of `src` is a room, and so is each file beside them. They are declared below in the order in
-//! which they are best read, after three small ones that know nothing of the subject (`letter`, `character`,
-//! `decimal`):
+//! which they are best read, after two small ones that know nothing of the subject (`character`, `decimal`):
 //!
 //! 1. [`convention`](mod@convention): the words, each defined by what it does.
 //! 2. [`problem`]: what is said where a step stops.
@@ -50,10 +49,6 @@
 #![warn(clippy::expect_used, clippy::panic, clippy::unwrap_used)]
 
 pub use nalgebra;
-
-// Which characters are letters.
-#[cfg_attr(target_arch = "wasm32", path = "wasm/letter.rs")]
-mod letter;
 
 // What single characters are.
 mod character;

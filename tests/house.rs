@@ -12,8 +12,7 @@ use std::path::{Path, PathBuf};
 /// their names on; no room uses it. Rooms of which there is no folder yet are planned: what will be in
 /// them may use no more than this.
 const ROOMS: &[(&str, &[&str])] = &[
-    ("letter", &[]),
-    ("character", &["letter"]),
+    ("character", &[]),
     ("decimal", &[]),
     ("convention", &[]),
     ("problem", &["character", "convention"]),

@@ -94,7 +94,7 @@ pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
     if largest - second < SMALLEST_GAP * largest {
         return None;
     }
-    let q = eigenvector(&k, direction.iamax(), largest)?;
+    let q = eigenvector(&k, direction.iamax(), precise::working_size(largest))?;
     Some(Rotation::from_precise(q))
 }
 
@@ -168,16 +168,15 @@ fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
     let s = precise::working_size(1.0);
 
-    // At a size whose cubes are far from overflow, too.
-    let in_doubles = |number: TwoFloat| precise::from_working_size(number.hi());
+    let in_doubles = |number: TwoFloat| number.hi();
     let a_minus = |eigenvalue| a.map(in_doubles) - Matrix3::from_diagonal_element(eigenvalue);
-    let start = a_minus(eigenvalue).try_inverse()? * -b.map(|number| number.hi());
+    let start = a_minus(eigenvalue).try_inverse()? * b.map(in_doubles) * -s;
     let mut y = start.map(TwoFloat::from);
     for _ in 0..NEWTON_STEPS {
         let eigenvalue = k[(pivot, pivot)] + b.dot(&y) * (1.0 / s);
         let residual = b * TwoFloat::from(s) + precise::product(&a, y) - y * eigenvalue;
         let jacobian =
-            a_minus(in_doubles(eigenvalue)) - y.map(in_doubles) * b.map(in_doubles).transpose();
+            a_minus(eigenvalue.hi()) - y.map(in_doubles) * b.map(in_doubles).transpose() / s;
         let step = jacobian.try_inverse()? * residual.map(in_doubles);
         y -= step.map(TwoFloat::from);
     }

@@ -162,23 +162,24 @@ fn largest_eigenvalue(k: &Matrix4<f64>) -> Option<(f64, Vector4<f64>)> {
 /// `K = [[k, bᵀ], [b, A]]` and `q = [s, y]` these are `λ = k + b·y/s` and `b s + A y = λ y`. A small
 /// `y` has a small `b`, so no digit of it is lost against 1.
 fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[TwoFloat; 4]> {
-    let mut others = vec![0, 1, 2, 3];
-    others.remove(pivot);
+    let others: Vec<usize> = (0..4).filter(|&place| place != pivot).collect();
     let b = Vector3::from_fn(|row, _| k[(others[row], pivot)]);
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
     let s = precise::working_size(1.0);
 
     let in_doubles = |number: TwoFloat| number.hi();
     let a_minus = |eigenvalue| a.map(in_doubles) - Matrix3::from_diagonal_element(eigenvalue);
-    let start = a_minus(eigenvalue).try_inverse()? * b.map(in_doubles) * -s;
+    let start = a_minus(eigenvalue).lu().solve(&b.map(in_doubles))? * -s;
     let mut y = start.map(TwoFloat::from);
     for _ in 0..NEWTON_STEPS {
         let eigenvalue = k[(pivot, pivot)] + b.dot(&y) * (1.0 / s);
         let residual = b * TwoFloat::from(s) + precise::product(&a, y) - y * eigenvalue;
         let jacobian =
             a_minus(eigenvalue.hi()) - y.map(in_doubles) * b.map(in_doubles).transpose() / s;
-        let step = jacobian.try_inverse()? * residual.map(in_doubles);
-        y -= step.map(TwoFloat::from);
+        y -= jacobian
+            .lu()
+            .solve(&residual.map(in_doubles))?
+            .map(TwoFloat::from);
     }
     let mut components = [TwoFloat::from(s); 4];
     for (place, &number) in others.into_iter().zip(y.iter()) {

@@ -8,7 +8,7 @@
 
 use crate::rotation::Rotation;
 use crate::rotation::precise;
-use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
+use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::fmt;
 use twofloat::TwoFloat;
 
@@ -49,9 +49,6 @@ impl std::error::Error for NoNearestRotation {}
 /// rotation); below it the nearest rotation changes with the last digits of the matrix.
 const SMALLEST_GAP: f64 = 1e-6;
 
-/// How often a matrix is squared until only its largest eigenvalue counts.
-const SQUARINGS: usize = 32;
-
 /// Newton steps after the eigenvector: each doubles the number of right digits, about 14 at first,
 /// and 106 bits are 32 digits.
 const NEWTON_STEPS: usize = 2;
@@ -86,15 +83,11 @@ pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
     let scale = precise::working_scale(matrix.as_slice());
     let working_size = |entry| TwoFloat::from(precise::times_power_of_two(entry, scale));
     let k = davenport(&matrix.map(working_size));
-    // At a size whose squares and cubes are far from overflow.
-    let in_doubles = k.map(|entry| precise::from_working_size(entry.hi()));
-    let (largest, direction) = largest_eigenvalue(&in_doubles)?;
-    let without_it = in_doubles - direction * direction.transpose() * (largest + in_doubles.norm());
-    let (second, _) = largest_eigenvalue(&without_it)?;
-    if largest - second < SMALLEST_GAP * largest {
+    let dominant = Dominant::of(&k);
+    if dominant.gap < SMALLEST_GAP {
         return None;
     }
-    let q = eigenvector(&k, direction.iamax(), precise::working_size(largest))?;
+    let q = eigenvector(&k, dominant.pivot, dominant.eigenvalue)?;
     Some(Rotation::from_precise(q))
 }
 
@@ -138,22 +131,40 @@ pub(crate) fn davenport(m: &Matrix3<TwoFloat>) -> Matrix4<TwoFloat> {
     )
 }
 
-/// The largest eigenvalue of a symmetric matrix and its eigenvector of length 1; `None` for the zero matrix.
-///
-/// With its norm along the diagonal the matrix has no negative eigenvalue, and squared often enough only the
-/// largest is left of it: where the second differs as it must, the 2^32nd powers differ by more than a double has.
-fn largest_eigenvalue(k: &Matrix4<f64>) -> Option<(f64, Vector4<f64>)> {
-    let mut power = k + Matrix4::from_diagonal_element(k.norm());
-    for _ in 0..SQUARINGS {
-        let size = power.amax();
-        if size == 0.0 {
-            return None;
+/// What plain doubles tell of the first eigenvector.
+struct Dominant {
+    /// At the working size, as `K` is.
+    eigenvalue: f64,
+    /// The place of the largest component.
+    pivot: usize,
+    /// How far the second eigenvalue is from the first, as a part of the first.
+    gap: f64,
+}
+
+impl Dominant {
+    fn of(k: &Matrix4<TwoFloat>) -> Self {
+        // At a size whose squares and cubes are far from overflow.
+        let eigen = k
+            .map(|entry| precise::from_working_size(entry.hi()))
+            .symmetric_eigen();
+        let first = eigen.eigenvalues.imax();
+        let second = (0..4)
+            .filter(|&place| place != first)
+            .fold(f64::NEG_INFINITY, |most, place| {
+                most.max(eigen.eigenvalues[place])
+            });
+        let eigenvalue = eigen.eigenvalues[first];
+        Self {
+            eigenvalue: precise::working_size(eigenvalue),
+            pivot: eigen.eigenvectors.column(first).iamax(),
+            // K has the trace 0, so the first eigenvalue is 0 only for the zero matrix.
+            gap: if eigenvalue > 0.0 {
+                (eigenvalue - second) / eigenvalue
+            } else {
+                0.0
+            },
         }
-        power /= size;
-        power *= power;
     }
-    let eigenvector = power.column(power.diagonal().imax()).normalize();
-    Some((eigenvector.dot(&(k * eigenvector)), eigenvector))
 }
 
 /// The first eigenvector of `K`, whose component at `pivot` is the largest and positive.

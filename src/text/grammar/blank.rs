@@ -9,6 +9,17 @@ use crate::character::{
     is_unseen_break,
 };
 use crate::problem::Span;
+use winnow::ascii::{line_ending, space0};
+use winnow::combinator::{alt, eof, fail, peek, terminated};
+use winnow::error::EmptyError;
+use winnow::prelude::*;
+use winnow::stream::{LocatingSlice, Stream};
+use winnow::token::{one_of, take_till, take_until, take_while};
+
+pub(crate) type Input<'t> = LocatingSlice<&'t str>;
+
+/// What stands at a place, or that it does not: why is never asked, and reasons that nobody reads are code.
+pub(crate) type Lexed<T> = Result<T, EmptyError>;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum YamlDash {
@@ -58,115 +69,110 @@ pub(crate) enum Touching {
     Other,
 }
 
-/// What is left of `rest`, the end of `text`, behind what only separates tokens.
+/// Skips what separates tokens of `text`, of which `input` is the rest; `None` where there is nothing
+/// to skip.
 pub(crate) fn blank<'t>(
-    rest: &'t str,
-    text: &str,
+    input: &mut Input<'t>,
+    text: &'t str,
     mut line: Line,
     touching: Touching,
     yaml_dash: YamlDash,
-) -> &'t str {
-    let mut left = rest;
+) -> Option<Line> {
+    let before = input.len();
     loop {
-        let mut length = white(left);
         // A comment does not touch a number: `1.#IND` and `1//2` are something else.
-        if length == 0 && (left.len() < rest.len() || touching == Touching::Other) {
-            length = match left.chars().next() {
-                Some('&') => reference(left),
-                Some('/' | '#' | '%') => comment(left),
-                _ => frame(left, text),
-            };
+        let is_first = input.len() == before;
+        let start = input.checkpoint();
+        let skipped = if is_first && touching == Touching::Number {
+            alt((white, layout(line, yaml_dash))).parse_next(input)
+        } else {
+            let drawn = |input: &mut Input<'t>| frame(input, text);
+            alt((white, reference, comment, drawn, layout(line, yaml_dash))).parse_next(input)
+        };
+        match skipped {
+            Ok(text) if text.contains('\n') => line = Line::Start,
+            Ok(text) if text == "-" || text.starts_with(is_drawn) => line = Line::Inside,
+            Ok(_) => {}
+            Err(_) => {
+                // What only looked like something to skip is not skipped.
+                input.reset(&start);
+                return (input.len() < before).then_some(line);
+            }
         }
-        if length == 0 && line == Line::Start {
-            length = layout(left, yaml_dash);
+    }
+}
+
+/// The mark `---` of a YAML document at the start of a line, with nothing, a comment or a list behind
+/// it, and the dash of a YAML list.
+fn layout<'t>(line: Line, yaml_dash: YamlDash) -> impl FnMut(&mut Input<'t>) -> Lexed<&'t str> {
+    move |input| {
+        if line == Line::Inside {
+            return fail.parse_next(input);
         }
-        if length == 0 {
-            return left;
+        let alone = (space0, alt((line_ending, eof))).void();
+        let before_a_list = (one_of([' ', '\t']), space0, one_of(['#', '{', '['])).void();
+        let document = terminated("---", peek(alt((alone, before_a_list))));
+        match yaml_dash {
+            YamlDash::Separates => alt((document, "-")).parse_next(input),
+            YamlDash::IsMinus => { document }.parse_next(input),
         }
-        let (skipped, behind) = left.split_at(length);
-        if skipped.contains('\n') {
-            line = Line::Start;
-        } else if skipped == "-" || skipped.starts_with(is_drawn) {
-            line = Line::Inside;
-        }
-        left = behind;
     }
 }
 
-/// The length of the mark `---` of a YAML document at the start of a line, with nothing, a comment or a list
-/// behind it, or of the dash of a YAML list.
-fn layout(rest: &str, yaml_dash: YamlDash) -> usize {
-    if let Some(behind) = rest.strip_prefix("---") {
-        let after = behind.trim_start_matches([' ', '\t']);
-        let is_alone = after.is_empty() || after.starts_with('\n') || after.starts_with("\r\n");
-        if is_alone || after.len() < behind.len() && after.starts_with(['#', '{', '[']) {
-            return 3;
-        }
-    }
-    usize::from(yaml_dash == YamlDash::Separates && rest.starts_with('-'))
+fn white<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
+    take_while(1.., is_blank).parse_next(input)
 }
 
-/// The length of the white space that a text begins with.
-fn white(rest: &str) -> usize {
-    rest.find(|next| !is_blank(next)).unwrap_or(rest.len())
+/// The sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
+fn reference<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
+    let borrowed = one_of(|next: char| next.is_alphabetic() || next == '[');
+    terminated("&", peek(borrowed)).parse_next(input)
 }
 
-/// The length of the sign of a reference: `&Vector3::z_axis()`, `&[1.0, 0.0]`.
-fn reference(rest: &str) -> usize {
-    let borrowed = rest.strip_prefix('&').unwrap_or_default();
-    usize::from(borrowed.starts_with(|next: char| is_alphabetic(next) || next == '['))
-}
-
-/// The length of the comment that a text begins with.
-///
 /// Without the feature `whole` one with letters is no comment, since it may say something of the numbers: what
 /// begins it has no meaning then.
-fn comment(rest: &str) -> usize {
-    let length = if let Some(inside) = rest.strip_prefix("/*") {
-        inside.find("*/").map_or(0, |end| end + 4)
-    } else if rest.starts_with("//") || rest.starts_with('#') || rest.starts_with("% ") {
+fn comment<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
+    let is_passed_over =
+        |text: &&str| cfg!(feature = "whole") || !text.contains(char::is_alphabetic);
+    alt((
         // With a space: `5%` is no comment but something that is not known here.
-        rest.find('\n').unwrap_or(rest.len())
-    } else {
-        0
-    };
-    if cfg!(feature = "whole") || !rest[..length].contains(is_alphabetic) {
-        length
-    } else {
-        0
-    }
+        (alt(("//", "#", "% ")), take_till(0.., '\n')).take(),
+        ("/*", take_until(0.., "*/"), "*/").take(),
+    ))
+    .verify(is_passed_over)
+    .parse_next(input)
 }
 
 /// The comments in what stands between tokens.
 pub(crate) fn comments_in(gap: &str) -> Vec<Span> {
     let mut found = Vec::new();
-    let mut rest = gap;
-    while let Some(character) = rest.chars().next() {
-        let start = gap.len() - rest.len();
-        let mut length = comment(rest);
-        if length > 0 {
-            found.push(Span::from(start..start + length));
+    let mut input = Input::new(gap);
+    while let Some(character) = input.chars().next() {
+        let start = gap.len() - input.len();
+        let before = input.checkpoint();
+        if comment.parse_next(&mut input).is_ok() {
+            found.push(Span::from(start..gap.len() - input.len()));
         } else {
-            length = character.len_utf8();
+            input.reset(&before);
+            input.next_slice(character.len_utf8());
         }
-        rest = &rest[length..];
     }
     found
 }
 
 /// The text with a space in place of each comment.
 pub(crate) fn without_comments(text: &str) -> String {
-    let mut rest = text;
+    let mut input = Input::new(text);
     let mut bare = String::with_capacity(text.len());
-    while let Some(character) = rest.chars().next() {
-        let mut length = comment(rest);
-        if length > 0 {
+    while let Some(character) = input.chars().next() {
+        let start = input.checkpoint();
+        if comment.parse_next(&mut input).is_ok() {
             bare.push(' ');
         } else {
+            input.reset(&start);
             bare.push(character);
-            length = character.len_utf8();
+            input.next_slice(character.len_utf8());
         }
-        rest = &rest[length..];
     }
     bare
 }
@@ -177,28 +183,28 @@ pub(crate) fn drawn_run(text: &str) -> &str {
     &text[..end.unwrap_or(text.len())]
 }
 
-/// The length of a part of a frame that touches nothing. Where it only consists of dashes it must have its line for
+/// A part of a frame that touches nothing. Where it only consists of dashes it must have its line for
 /// itself, unless a corner or a branch begins it.
-fn frame(rest: &str, text: &str) -> usize {
-    let before = &text[..text.len() - rest.len()];
+fn frame<'t>(input: &mut Input<'t>, text: &'t str) -> Lexed<&'t str> {
+    let (before, rest) = text.split_at(text.len() - input.len());
     let run = drawn_run(rest);
     let after = &rest[run.len()..];
     let stands_apart = before.chars().next_back().is_none_or(is_blank)
         && after.chars().next().is_none_or(is_blank);
     if run.is_empty() || !stands_apart {
-        return 0;
+        return fail.parse_next(input);
     }
     let is_joint = |character| !is_drawn_dash(character) && !is_drawn_bar(character);
     if !run.contains(is_drawn_dash) || run.contains(is_joint) {
-        return run.len();
+        return Ok(input.next_slice(run.len()));
     }
     let line_before = &before[before.rfind('\n').map_or(0, |newline| newline + 1)..];
     let line_after = &rest[..rest.find('\n').unwrap_or(rest.len())];
     let is_empty = |part: &str| part.chars().all(|c| is_drawn(c) || is_blank(c));
     if is_empty(line_before) && is_empty(line_after) {
-        return line_after.len();
+        return Ok(input.next_slice(line_after.len()));
     }
-    0
+    fail.parse_next(input)
 }
 
 /// The first character inside a number that is not seen there, or hardly: nothing but such characters

@@ -6,28 +6,9 @@ use crate::text::grammar::arithmetic::Linear;
 use crate::text::grammar::lex::Token;
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
 use crate::text::grammar::tree::{Node, NodeKind};
+use winnow::stream::Stateful;
 
-/// The tokens that are left.
-pub(crate) struct Input<'s, 't> {
-    pub(crate) tokens: &'s [Token<'t>],
-    pub(crate) state: State,
-}
-
-impl<'t> Input<'_, 't> {
-    pub(crate) fn peek_token(&self) -> Option<Token<'t>> {
-        self.tokens.first().copied()
-    }
-
-    pub(crate) fn next_token(&mut self) -> Option<Token<'t>> {
-        let (first, rest) = self.tokens.split_first()?;
-        self.tokens = rest;
-        Some(*first)
-    }
-
-    pub(crate) fn skip(&mut self, count: usize) {
-        self.tokens = self.tokens.get(count..).unwrap_or_default();
-    }
-}
+pub(crate) type Input<'s, 't> = Stateful<&'s [Token<'t>], State>;
 
 #[derive(Clone, Debug)]
 pub(crate) struct State {
@@ -64,5 +45,5 @@ pub(crate) fn end_of(input: &Input<'_, '_>) -> Span {
 }
 
 pub(crate) fn token_at<'t>(input: &Input<'_, 't>, offset: usize) -> Option<Token<'t>> {
-    input.tokens.get(offset).copied()
+    input.input.get(offset).copied()
 }

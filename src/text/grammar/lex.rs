@@ -9,7 +9,13 @@ use crate::convention::angle::AngleUnit;
 use crate::decimal::nearest_double;
 use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::text::grammar::blank::{Line, Touching, YamlDash, blank, drawn_run, hidden_in_number};
+use crate::text::grammar::blank::{
+    Input, Lexed, Line, Touching, YamlDash, blank, drawn_run, hidden_in_number,
+};
+use winnow::ascii::{digit0, digit1};
+use winnow::combinator::{alt, delimited, not, opt, peek, repeat, terminated};
+use winnow::prelude::*;
+use winnow::token::{any, one_of, take_while};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TokenKind {
@@ -116,20 +122,18 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token<'_>>, Fault> {
 pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, Fault> {
     let text = &whole[..part.end];
     let yaml_dash = YamlDash::of(&text[part.start..]);
-    let mut rest = &text[part.start..];
+    let mut input = Input::new(&text[part.start..]);
     let mut tokens = Vec::new();
     let mut line = Line::Start;
     let mut spacing = Spacing::Apart;
     loop {
-        let before = text.len() - rest.len();
+        let before = text.len() - input.len();
         let touching = match tokens.last().map(|token: &Token<'_>| token.kind) {
             Some(TokenKind::Number(_)) => Touching::Number,
             _ => Touching::Other,
         };
-        rest = blank(rest, text, line, touching, yaml_dash);
-        let start = text.len() - rest.len();
-        if start > before {
-            let skipped = Span::from(before..start);
+        if blank(&mut input, text, line, touching, yaml_dash).is_some() {
+            let skipped = Span::from(before..text.len() - input.len());
             if let Some((span, character)) = hidden_in_number(text, skipped) {
                 return Err(Fault::hidden_in_number(span, character));
             }
@@ -139,19 +143,14 @@ pub(crate) fn tokens_within(whole: &str, part: Span) -> Result<Vec<Token<'_>>, F
                 Spacing::Apart
             };
         }
-        if rest.is_empty() {
+        if input.is_empty() {
             return Ok(tokens);
         }
-        let Some(Lexed {
-            kind,
-            written,
-            length,
-        }) = token(rest)
-        else {
+        let start = text.len() - input.len();
+        let Ok((kind, written)) = token.parse_next(&mut input) else {
             return Err(unknown_mark(text, start));
         };
-        let span = Span::from(start..start + length);
-        rest = &rest[length..];
+        let span = Span::from(start..text.len() - input.len());
         if let TokenKind::Number(value) = kind {
             check_literal(value, written, span)?;
             if let Some(before) = tokens.last()
@@ -206,77 +205,24 @@ fn unknown_mark(text: &str, start: usize) -> Fault {
     }
 }
 
-/// What stands at a place.
-struct Lexed<'t> {
-    kind: TokenKind,
-    /// What becomes the text of the token.
-    written: &'t str,
-    /// How much of the text it is.
-    length: usize,
+fn token<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
+    alt((number, word, quoted, sign)).parse_next(input)
 }
 
-fn token(rest: &str) -> Option<Lexed<'_>> {
-    let first = rest.chars().next()?;
-    match first {
-        '0'..='9' | '.' => number(rest),
-        '"' | '\'' => quoted(rest, first),
-        _ if name(rest) > 0 => Some(word(rest)),
-        _ => sign(rest, first),
-    }
-}
-
-/// How many digits a text begins with.
-fn digits(text: &str) -> usize {
-    text.bytes().take_while(u8::is_ascii_digit).count()
-}
-
-fn number(rest: &str) -> Option<Lexed<'_>> {
-    let mut length = digits(rest);
-    if let Some(part) = rest[length..].strip_prefix('.') {
-        let part = digits(part);
-        if length + part == 0 {
-            return None;
-        }
-        length += 1 + part;
-    }
-    length += exponent(&rest[length..]);
-    let written = &rest[..length];
+fn number<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
+    let mantissa = alt(((digit1, opt(('.', digit0))).void(), ('.', digit1).void()));
+    let exponent = (one_of(['e', 'E']), opt(one_of(['+', '-', '−'])), digit1);
+    // `1.5×10−3`, as copied from a printed page; the sign tells it from a product.
+    let printed = ("×10", opt('^'), one_of(['+', '-', '−', '–']), digit1);
+    let written = (mantissa, opt(alt((exponent.void(), printed.void()))))
+        .take()
+        .parse_next(input)?;
     // C and Rust suffixes: 0.5f, 0.5f64, 0.5_f64.
-    let after = &rest[length..];
-    let suffixed = after.strip_prefix('_').unwrap_or(after);
-    for suffix in ["f64", "f32", "f", "F"] {
-        if let Some(after) = suffixed.strip_prefix(suffix)
-            && !after.starts_with(is_of_name)
-        {
-            length = rest.len() - after.len();
-        }
-    }
+    let _ =
+        opt((opt('_'), alt(("f64", "f32", "f", "F")), not(name_character))).parse_next(input)?;
     let plain = written.replace("×10", "e").replace('^', "");
     let value = nearest_double(&plain.replace(['−', '–'], "-"));
-    Some(Lexed {
-        kind: TokenKind::Number(value),
-        written,
-        length,
-    })
-}
-
-/// The length of an exponent: `e-3`, or as copied from a printed page `×10−3`, where the sign tells it from a
-/// product.
-fn exponent(text: &str) -> usize {
-    let of_digits = match text.strip_prefix(['e', 'E']) {
-        Some(signed) => signed.strip_prefix(['+', '-', '−']).unwrap_or(signed),
-        None => match text.strip_prefix("×10") {
-            Some(signed) => {
-                let signed = signed.strip_prefix('^').unwrap_or(signed);
-                signed.strip_prefix(['+', '-', '−', '–']).unwrap_or("")
-            }
-            None => "",
-        },
-    };
-    match digits(of_digits) {
-        0 => 0,
-        count => text.len() - of_digits.len() + count,
-    }
+    Ok((TokenKind::Number(value), written))
 }
 
 /// A literal that a double cannot hold is a problem, not an infinity or a zero.
@@ -330,43 +276,43 @@ fn mixed_number(before: &[Token<'_>], last: f64, written: &str, spacing: Spacing
     (spacing == Spacing::Apart && is_whole(whole) && !is_divisor).then_some(whole.span)
 }
 
-/// The length of the name that a text begins with.
-fn name(text: &str) -> usize {
-    if text.starts_with(begins_name) {
-        text.find(|next| !is_of_name(next)).unwrap_or(text.len())
-    } else {
-        0
-    }
+/// One character that continues a name.
+fn name_character(input: &mut Input<'_>) -> Lexed<char> {
+    one_of(|character: char| character.is_alphanumeric() || character == '_').parse_next(input)
 }
 
-/// A path that begins with a name, with the only argument of a template.
-fn word(rest: &str) -> Lexed<'_> {
-    let mut length = name(rest);
-    loop {
-        let after = &rest[length..];
-        let Some(next) = after.strip_prefix("::").or_else(|| after.strip_prefix('.')) else {
-            break;
-        };
-        match name(next) {
-            0 => break,
-            segment => length = rest.len() - next.len() + segment,
-        }
-    }
-    let mut written = &rest[..length];
-    let inside = rest[length..].strip_prefix('<').unwrap_or_default();
-    let end = inside.find(|next| !is_of_name(next)).unwrap_or_default();
-    if end > 0 && inside[end..].starts_with('>') {
-        length += end + 2;
-        if !is_number_type(&inside[..end]) {
-            // What else an argument may say, as in `Quaternion<xyzw>`, belongs to the name.
-            written = &rest[..length];
-        }
-    }
-    Lexed {
-        kind: TokenKind::Word,
-        written,
-        length,
-    }
+fn name(input: &mut Input<'_>) -> Lexed<()> {
+    (
+        peek(one_of(|first: char| first.is_alphabetic() || first == '_')),
+        repeat::<_, _, (), _, _>(1.., name_character),
+    )
+        .void()
+        .parse_next(input)
+}
+
+fn word<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
+    let number_type = ('<', argument.verify(|name: &str| is_number_type(name)), '>');
+    alt((
+        terminated(path.take(), number_type),
+        // What else an argument may say, as in `Quaternion<xyzw>`, belongs to the name.
+        (path, opt(('<', argument, '>'))).take(),
+    ))
+    .map(|text| (TokenKind::Word, text))
+    .parse_next(input)
+}
+
+fn path(input: &mut Input<'_>) -> Lexed<()> {
+    let segment = (alt(("::", ".")), name);
+    (name, repeat::<_, _, (), _, _>(0.., segment))
+        .void()
+        .parse_next(input)
+}
+
+/// The only argument of a template.
+fn argument<'t>(input: &mut Input<'t>) -> Lexed<&'t str> {
+    repeat::<_, _, (), _, _>(1.., name_character)
+        .take()
+        .parse_next(input)
 }
 
 /// `double`, `f32`, `Scalar`, and a size such as 3: they change no number.
@@ -389,42 +335,41 @@ fn is_number_type(name: &str) -> bool {
         || name.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-fn quoted(rest: &str, quote: char) -> Option<Lexed<'_>> {
-    let inside = &rest[1..];
-    let end = inside.find([quote, '\n'])?;
-    inside[end..].starts_with(quote).then(|| Lexed {
-        kind: TokenKind::Quoted,
-        written: &inside[..end],
-        length: end + 2,
-    })
+fn quoted<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
+    let inside = |quote: char| take_while(0.., move |c: char| c != quote && c != '\n');
+    alt((
+        delimited('"', inside('"'), '"'),
+        delimited('\'', inside('\''), '\''),
+    ))
+    .map(|text| (TokenKind::Quoted, text))
+    .parse_next(input)
 }
 
-fn sign(rest: &str, character: char) -> Option<Lexed<'_>> {
-    let kind = match character {
-        '+' => TokenKind::Plus,
-        '-' | '−' | '–' => TokenKind::Minus,
-        '*' | '·' | '×' | '⋅' | '∗' => TokenKind::Times,
-        '/' | '÷' | '∕' | '⁄' => TokenKind::Divide,
-        '√' => TokenKind::Root,
-        '°' | '˚' => TokenKind::Degree,
-        ',' | ';' => TokenKind::Comma,
-        ':' => TokenKind::Colon,
-        '=' => TokenKind::Equals,
-        '½' => TokenKind::Number(0.5),
-        '(' => TokenKind::Open(Bracket::Round),
-        '[' => TokenKind::Open(Bracket::Square),
-        '{' => TokenKind::Open(Bracket::Curly),
-        '<' => TokenKind::Open(Bracket::Angle),
-        '>' => TokenKind::Close(Bracket::Angle),
-        ')' => TokenKind::Close(Bracket::Round),
-        ']' => TokenKind::Close(Bracket::Square),
-        '}' => TokenKind::Close(Bracket::Curly),
-        _ => return None,
-    };
-    let length = character.len_utf8();
-    Some(Lexed {
-        kind,
-        written: &rest[..length],
-        length,
-    })
+fn sign<'t>(input: &mut Input<'t>) -> Lexed<(TokenKind, &'t str)> {
+    any.with_taken()
+        .verify_map(|(character, text)| {
+            let kind = match character {
+                '+' => TokenKind::Plus,
+                '-' | '−' | '–' => TokenKind::Minus,
+                '*' | '·' | '×' | '⋅' | '∗' => TokenKind::Times,
+                '/' | '÷' | '∕' | '⁄' => TokenKind::Divide,
+                '√' => TokenKind::Root,
+                '°' | '˚' => TokenKind::Degree,
+                ',' | ';' => TokenKind::Comma,
+                ':' => TokenKind::Colon,
+                '=' => TokenKind::Equals,
+                '½' => TokenKind::Number(0.5),
+                '(' => TokenKind::Open(Bracket::Round),
+                '[' => TokenKind::Open(Bracket::Square),
+                '{' => TokenKind::Open(Bracket::Curly),
+                '<' => TokenKind::Open(Bracket::Angle),
+                '>' => TokenKind::Close(Bracket::Angle),
+                ')' => TokenKind::Close(Bracket::Round),
+                ']' => TokenKind::Close(Bracket::Square),
+                '}' => TokenKind::Close(Bracket::Curly),
+                _ => return None,
+            };
+            Some((kind, text))
+        })
+        .parse_next(input)
 }

@@ -37,6 +37,7 @@ use crate::text::grammar::key::key_ahead;
 use crate::text::grammar::lex::{Bracket, Spacing, Token, TokenKind};
 use crate::text::grammar::signs::{DoubtfulSign, RepeatedSign};
 use crate::text::grammar::tree::{CallsAreRead, Entry, Key, Lead, Node, NodeKind};
+use winnow::stream::{Stateful, Stream as _};
 
 /// How many brackets may be open at once; a quaternion needs about four.
 pub(crate) const MAX_DEPTH: usize = 32;
@@ -59,7 +60,10 @@ fn members<'t>(tokens: &[Token<'t>], spaces: Spaces) -> Result<Vec<Entry<'t>>, F
         doubtful_sign: None,
         repeated_sign: None,
     };
-    let mut input = Input { tokens, state };
+    let mut input = Stateful {
+        input: tokens,
+        state,
+    };
     let entries = list(&mut input)?;
     match input.peek_token() {
         None => Ok(entries),
@@ -104,7 +108,7 @@ fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Result<Entry<'t>, Fault> 
     let mut key: Option<Key<'t>> = None;
     // A label before another name is a heading: `orientation:` above `x: 0`.
     while let Some((found, length)) = key_ahead(input) {
-        input.skip(length);
+        input.next_slice(length);
         key = Some(Key {
             heading: key.map(|label| label.name),
             ..found
@@ -121,9 +125,9 @@ fn entry<'t>(input: &mut Input<'_, 't>, lead: Lead) -> Result<Entry<'t>, Fault> 
 }
 
 fn sum<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
-    let before = input.tokens;
+    let before = input.input;
     let mut left = product(input)?;
-    let mut last = &before[..before.len() - input.tokens.len()];
+    let mut last = &before[..before.len() - input.input.len()];
     while let Some(sign) = input.peek_token() {
         if !matches!(sign.kind, TokenKind::Plus | TokenKind::Minus) {
             break;
@@ -137,9 +141,9 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
             break;
         }
         input.next_token();
-        let before = input.tokens;
+        let before = input.input;
         let right = product(input)?;
-        let addend = &before[..before.len() - input.tokens.len()];
+        let addend = &before[..before.len() - input.input.len()];
         let (augend_value, addend_value) = (left.operand()?, right.operand()?);
         let is_sign = |next: &Token<'_>| matches!(next.kind, TokenKind::Plus | TokenKind::Minus);
         if let Some(second) = next.filter(is_sign)
@@ -239,7 +243,7 @@ fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
 
 /// Signs and then an atom; a loop, so that a million signs need no stack.
 fn signed<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
-    let before = input.tokens;
+    let before = input.input;
     while let Some(token) = input.peek_token() {
         if !matches!(token.kind, TokenKind::Plus | TokenKind::Minus) {
             break;
@@ -253,7 +257,7 @@ fn signed<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
             input.state.doubtful_sign.get_or_insert_with(fault);
         }
     }
-    let signs = &before[..before.len() - input.tokens.len()];
+    let signs = &before[..before.len() - input.input.len()];
     let node = atom(input)?;
     let Some(first) = signs.first() else {
         return Ok(node);

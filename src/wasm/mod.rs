@@ -51,9 +51,6 @@ use {
     crate::wasm::request::{COMPOSE, READ},
 };
 
-#[global_allocator]
-static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
-
 /// The tags of a request and of an outcome.
 const VIEW: &str = "view";
 const STATUS: &str = "status";

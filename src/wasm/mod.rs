@@ -16,9 +16,6 @@ mod request;
 // The texts of requests, and how long they are.
 mod request_texts;
 
-// Reports to JavaScript.
-mod to_js;
-
 use crate::analyze::compose::compose;
 use crate::analyze::describe::describe_convention as described_convention;
 use crate::analyze::read::read;
@@ -29,8 +26,7 @@ use crate::text::parse_number;
 use crate::wasm::members::{Members, Typed, no_such_choice, refused, word};
 use crate::wasm::request::{compose_request, read_request};
 use crate::wasm::request_texts::{Texts, member_of};
-use crate::wasm::to_js::to_js;
-use js_sys::{JsString, Object, Reflect};
+use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -120,16 +116,14 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
     match &*view {
         "read" => {
             let request = read_request(&members)?;
-            let answered = read(&request).map(|report| to_js(&report));
-            answer(&view, answered, &texts, &|field| match field {
+            answer(&view, read(&request), &texts, |field| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
             })
         }
         "compose" => {
             let request = compose_request(&members)?;
-            let answered = compose(&request).map(|report| to_js(&report));
-            answer(&view, answered, &texts, &|field| match field {
+            answer(&view, compose(&request), &texts, |field| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
@@ -138,8 +132,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "translate" => {
             let request: TranslateRequest = translate_request(&members)?;
-            let answered = translate(&request).map(|report| to_js(&report));
-            answer(&view, answered, &texts, &|field| match field {
+            answer(&view, translate(&request), &texts, |field| match field {
                 Field::WorldAxes => &request.world_axes,
                 Field::BodyAxes => &request.body_axes,
                 Field::From => id_of(&request.from),
@@ -154,15 +147,13 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
                 let probe = request.observations.get(at);
                 probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
             });
-            with_status(&view, to_js(&of_whole_texts(report, &texts)))
+            with_status(&view, &of_whole_texts(report, &texts))
         }
         #[cfg(feature = "libraries")]
         "matrices" => {
             let request = matrices_request(&members)?;
-            let answered = identify_matrices(&request)
-                .map(|report| to_js(&report))
-                .map_err(|problem| vec![problem]);
-            answer(&view, answered, &texts, &|field| match field {
+            let answered = identify_matrices(&request).map_err(|problem| vec![problem]);
+            answer(&view, answered, &texts, |field| match field {
                 Field::A => &request.a,
                 Field::B => &request.b,
                 Field::Product => &request.product,
@@ -175,8 +166,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "numbers" => {
             let request = numbers_request(&members)?;
-            let answered = numbers(&request).map(|report| to_js(&report));
-            answer(&view, answered, &texts, &|field| match field {
+            answer(&view, numbers(&request), &texts, |field| match field {
                 Field::Numbers => &request.numbers,
                 _ => &request.quaternion,
             })
@@ -219,12 +209,12 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
 /// A report, or problems that count the units of the texts they point into.
 fn answer<'request>(
     view: &str,
-    answered: Result<JsValue, Vec<Problem>>,
+    answered: Result<impl Serialize, Vec<Problem>>,
     texts: &Texts,
-    text_of: &dyn Fn(Field) -> &'request str,
+    text_of: impl Fn(Field) -> &'request str,
 ) -> Typed<JsValue> {
     match answered {
-        Ok(report) => with_status(view, report),
+        Ok(report) => with_status(view, &report),
         Err(problems) => {
             let Problems { problems } =
                 Problems { problems }.in_utf16(|field| text_of(field).to_owned());
@@ -233,7 +223,7 @@ fn answer<'request>(
                 let member = member_of(problem.field);
                 whole.push(texts.of_whole_text(problem, member, MAX_TEXT_BYTES));
             }
-            with_status("problems", to_js(&Problems { problems: whole }))
+            with_status("problems", &Problems { problems: whole })
         }
     }
 }
@@ -258,14 +248,15 @@ fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
 }
 
 /// An [`Outcome`](crate::Outcome) as serde would tag it.
-fn with_status(status: &str, report: JsValue) -> Typed<JsValue> {
-    Reflect::set(&report, &STATUS.into(), &status.into())?;
-    Ok(report)
+fn with_status(status: &str, report: &impl Serialize) -> Typed<JsValue> {
+    let outcome = to_js(report)?;
+    Reflect::set(&outcome, &STATUS.into(), &status.into())?;
+    Ok(outcome)
 }
 
 /// The named conventions.
 #[wasm_bindgen(unchecked_return_type = "Presets")]
-pub fn presets() -> JsValue {
+pub fn presets() -> Result<JsValue, TypeError> {
     to_js(&Presets {
         hamilton: Convention::HAMILTON,
         jpl: Convention::JPL,
@@ -284,7 +275,7 @@ pub fn describe_convention(
 ) -> Typed<JsValue> {
     let texts = Texts::default();
     let convention = request::convention(&Members::of_request(&convention, &texts)?)?;
-    Ok(to_js(&described_convention(convention)))
+    Ok(to_js(&described_convention(convention))?)
 }
 
 /// The one number that a text holds; undefined where it holds none, or several.
@@ -297,14 +288,14 @@ pub fn read_number(text: &JsString) -> Option<f64> {
 /// What a library does by itself; undefined for an id that no library has.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = describeLibrary, unchecked_return_type = "LibraryDescription | undefined")]
-pub fn describe_library(id: &str) -> JsValue {
-    to_js(&described_library(id))
+pub fn describe_library(id: &str) -> Result<JsValue, TypeError> {
+    described_library(id).map_or(Ok(JsValue::UNDEFINED), |description| to_js(&description))
 }
 
 /// The probes that are proposed, one of each kind.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = standardProbes, unchecked_return_type = "Probe[]")]
-pub fn probes() -> JsValue {
+pub fn probes() -> Result<JsValue, TypeError> {
     to_js(&standard_probes())
 }
 
@@ -334,4 +325,8 @@ fn start() {
     std::panic::set_hook(Box::new(|panic| {
         PANIC_MESSAGE.set(Some(panic.to_string()));
     }));
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
+    serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
 }

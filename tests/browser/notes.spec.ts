@@ -224,7 +224,7 @@ const problems: [typed: string, said: RegExp, label: string, written: string][] 
   ],
   [
     rows("0 -1 0", "1 0 0", "0 0 1.5"),
-    /0\.5 away from the nearest rotation/,
+    /the columns of this matrix are those of a rotation times 1, 1 and 1\.5/,
     "Write the nearest rotation",
     rows("0 -1 0", "1 0 0", "0 0 1"),
   ],

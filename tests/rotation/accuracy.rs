@@ -67,7 +67,7 @@ fn every_machine_gives_the_same_bits() {
     }
     assert_eq!(
         hash,
-        8_907_065_969_754_282_788,
+        11_106_355_357_664_252_452,
         "the bits of {} operations",
         OPERATIONS.len()
     );

@@ -21,6 +21,7 @@ use crate::analyze::numbers::printed::Printed;
 use crate::analyze::numbers::renamed::Renamed;
 use crate::analyze::numbers::rewriting::of_names;
 use crate::analyze::numbers::three::ThreeNumbers;
+#[cfg(feature = "whole")]
 pub(crate) use crate::analyze::numbers::three::nearest_off_rad;
 use crate::contract::request::NumbersRequest;
 use crate::contract::{NumbersReport, Reading};

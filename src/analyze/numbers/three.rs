@@ -107,6 +107,7 @@ impl ThreeNumbers {
 }
 
 /// How far an attitude is from the nearest one that three numbers may be, in radians.
+#[cfg(feature = "whole")]
 pub(crate) fn nearest_off_rad(
     numbers: [f64; 3],
     known: Option<AngleUnit>,

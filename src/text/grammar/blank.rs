@@ -5,7 +5,7 @@
 //! minus, and a character that is not seen joins two numbers into one.
 
 use crate::character::{
-    is_alphabetic, is_blank, is_drawn, is_drawn_bar, is_drawn_dash, is_space_of_numbers, is_unseen,
+    is_blank, is_drawn, is_drawn_bar, is_drawn_dash, is_space_of_numbers, is_unseen,
     is_unseen_break,
 };
 use crate::problem::Span;

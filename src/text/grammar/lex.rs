@@ -278,12 +278,12 @@ fn mixed_number(before: &[Token<'_>], last: f64, written: &str, spacing: Spacing
 
 /// One character that continues a name.
 fn name_character(input: &mut Input<'_>) -> Lexed<char> {
-    one_of(|character: char| character.is_alphanumeric() || character == '_').parse_next(input)
+    one_of(is_of_name).parse_next(input)
 }
 
 fn name(input: &mut Input<'_>) -> Lexed<()> {
     (
-        peek(one_of(|first: char| first.is_alphabetic() || first == '_')),
+        peek(one_of(begins_name)),
         repeat::<_, _, (), _, _>(1.., name_character),
     )
         .void()

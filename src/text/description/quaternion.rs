@@ -316,6 +316,12 @@ fn orientation<'e, 't>(entries: &'e [Entry<'t>]) -> Result<Option<&'e Node<'t>>,
         return Ok(None);
     };
     without_options(entries)?;
+    // A word with no name may say something of the numbers: `q: [1, 2, 3, 4] m`.
+    for entry in entries {
+        if let (NodeKind::Word(word), None) = (&entry.node.kind, entry.key) {
+            return Err(Fault::unknown_word(entry.node.span, word));
+        }
+    }
     let is_rotation = |name: &str| is_orientation(name) || constructors::is_other_label(name);
     let other = entries
         .iter()

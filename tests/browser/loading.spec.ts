@@ -14,7 +14,7 @@ import {
 } from "./support/page.ts";
 
 /** Compressed bytes: what was measured, and 3 %. */
-const firstBudget = 180_290;
+const firstBudget = 177_500;
 const lazyBudgets: Record<string, number> = {
   "AxesPanel.js": 830,
   "Compose.css": 1_550,
@@ -26,22 +26,22 @@ const lazyBudgets: Record<string, number> = {
   "FoldedBody.css": 230,
   "FoldedBody.js": 990,
   "Gallery.css": 350,
-  "Gallery.js": 2_600,
+  "Gallery.js": 2_610,
   "Help.css": 460,
-  "Help.js": 1_390,
-  "Identify.css": 2_580,
-  "Identify.js": 11_510,
-  "Libraries.css": 1_730,
-  "Libraries.js": 4_640,
+  "Help.js": 1_400,
+  "Identify.css": 2_550,
+  "Identify.js": 11_570,
+  "Libraries.css": 1_770,
+  "Libraries.js": 5_230,
   "Popup.css": 180,
   "Popup.js": 810,
   "ReadPicture.js": 2_530,
   "RulesList.css": 130,
   "RulesList.js": 680,
   "SharePanel.css": 350,
-  "SharePanel.js": 870,
-  "Translate.css": 1_660,
-  "Translate.js": 9_030,
+  "SharePanel.js": 860,
+  "Translate.css": 1_680,
+  "Translate.js": 10_070,
   "apple_touch_icon.png": 3_140,
   "axes_panel.css": 360,
   "axes_panel.js": 310,
@@ -51,9 +51,9 @@ const lazyBudgets: Record<string, number> = {
   "icon_192.png": 5_510,
   "icon_512.png": 15_040,
   "icon_maskable_512.png": 7_920,
-  "libraries.js": 21_060,
-  "library.js": 1_600,
-  "library_search.js": 470,
+  "libraries.js": 33_540,
+  "library.js": 1_930,
+  "library_search.js": 510,
   "licences.txt": 12_950,
   "manifest.webmanifest": 400,
   "observations.js": 21_670,
@@ -61,7 +61,7 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 630,
   "phrases.js": 220,
   "quatlas.js": 2_750,
-  "quatlas_bg.wasm": 206_200,
+  "quatlas_bg.wasm": 288_020,
   "save.js": 7_780,
   "service_worker.js": 4_410,
 };
@@ -72,7 +72,8 @@ const firstParts = ["index.html", "index.js", "preact.js", "quatlas_small_bg.was
 const goals = {
   "index.html": 16_000,
   "quatlas_small_bg.wasm": 118_000,
-  "quatlas_bg.wasm": 225_000,
+  // It reads whole blocks, and numbers that are to be identified; the formats as data are 9 kB of it.
+  "quatlas_bg.wasm": 290_000,
 };
 /** All that is loaded until typing is answered. */
 const firstGoals = { gzip: 184_000, brotli: 163_000 };

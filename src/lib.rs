@@ -116,8 +116,9 @@ pub use convention::{
 };
 pub use errata::{Erratum, SourceDocument, Witness, errata};
 pub use frames::axis_mapping::{
-    AxesChange, AxesHand, AxisMapping, OneSidedReflection, Sense, SignedAxis, UnknownAxes,
+    AxesChange, AxesHand, AxisMapping, OneSidedReflection, Sense, SignedAxis,
 };
+pub use frames::axis_names::UnknownAxes;
 pub use frames::pose::{FramesDoNotMeet, Pose};
 pub use library::behaviour::{Behaviour, BehaviourAxis};
 pub use library::endpoint::{Assumption, ConventionEndpoint, Endpoint, LibraryEndpoint};

@@ -4,7 +4,7 @@ use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::problem::suggestion::{Remedy, Suggestion};
 use crate::text::mend::written::rotation_text;
-use crate::text::{ParsedQuaternion, ParsedRotation, Record};
+use crate::text::{ParsedQuaternion, ParsedRotation, Record, RecordRotation};
 use nalgebra::Quaternion;
 
 /// That there are several rotations, each as a text of its own.
@@ -12,15 +12,31 @@ pub(crate) fn several_rotations(record: &Record, text: &str) -> Fault {
     let span = Span::of_trimmed(text);
     let mut offered = Vec::new();
     for found in &record.rotations {
-        if !found.is_derived {
-            let label = match &found.label {
-                label if label.is_empty() => (offered.len() + 1).to_string(),
-                label => label.clone(),
-            };
-            offered.push(kept(label, rotation_text(&found.rotation)));
+        if found.is_derived {
+            continue;
         }
+        let is_same = |other: &&RecordRotation| other.label == found.label;
+        let label = if found.label.is_empty() {
+            (offered.len() + 1).to_string()
+        } else if record.rotations.iter().filter(is_same).count() > 1 {
+            // `left: {quaternion: …}`, `right: {quaternion: …}`
+            first_name(text, found.span.start)
+        } else {
+            found.label.clone()
+        };
+        offered.push(kept(label, rotation_text(&found.rotation)));
     }
     Fault::several_rotations(span, offered.len()).offering(|| offered)
+}
+
+/// The first name of the line in which something stands.
+fn first_name(text: &str, place: usize) -> String {
+    let before = text.get(..place).unwrap_or("");
+    let line = &before[before.rfind('\n').map_or(0, |at| at + 1)..];
+    let end = line.find([':', '=', '(']).unwrap_or(line.len());
+    line[..end]
+        .trim_matches([' ', '"', '-', '{', ','])
+        .to_owned()
 }
 
 /// One of several rotations as a text of its own.

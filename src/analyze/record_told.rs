@@ -41,7 +41,7 @@ pub(crate) fn loose_angles(text: &str, record: &Record, attitude: &Attitude) -> 
 fn description(text: &str, label: &str, span: Span, differs_by_deg: f64) -> Fact {
     let description = OtherDescription {
         label: named(label),
-        text: closed(&text[span.start..span.end]),
+        text: piece(text, span),
         differs_by_deg: plain_number(differs_by_deg),
     };
     if differs_by_deg > SAME_WITHIN_DEG {
@@ -82,7 +82,7 @@ pub(crate) fn found_in_text(
         Fact::FoundInText(FoundInText {
             format,
             label: named(&found.label),
-            text: closed(&text[found.span.start..found.span.end]),
+            text: piece(text, found.span),
             beside: all,
         })
     })
@@ -108,6 +108,15 @@ fn body_in_world(translation: [f64; 3], attitude: &Attitude) -> [f64; 3] {
 
 fn named(label: &str) -> Option<String> {
     (!label.is_empty()).then(|| closed(label))
+}
+
+/// A piece of a text with the unit behind it.
+fn piece(text: &str, span: Span) -> String {
+    let behind = &text[span.end..];
+    let word = behind
+        .find(|mark: char| !(mark.is_alphabetic() || mark == '°'))
+        .unwrap_or(behind.len());
+    closed(&text[span.start..span.end + word])
 }
 
 /// A piece of a text with the brackets that it leaves open.

@@ -3,5 +3,8 @@
 /// Other names for the same axes.
 pub mod axis_mapping;
 
+/// The names of axes in texts.
+pub mod axis_names;
+
 /// Poses between named frames.
 pub mod pose;

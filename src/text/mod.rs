@@ -167,7 +167,7 @@ pub(crate) use crate::text::description::told::Told;
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::description::told::is_for_rows;
 use crate::text::description::told::{Layout, check_plain};
-use crate::text::description::{list, quaternion};
+use crate::text::description::{list, vector};
 #[cfg(feature = "whole")]
 pub(crate) use crate::text::formats::{FORMATS, PLAIN};
 #[cfg(feature = "whole")]
@@ -316,7 +316,7 @@ pub fn parse_vector(text: &str) -> Result<Vector3<f64>, Fault> {
     } else {
         check_plain(&telling.tokens, Wanted::Vector)?;
     }
-    quaternion::vector(&grammar::entries(&telling.tokens)?, span)
+    vector::vector(&grammar::entries(&telling.tokens)?, span)
 }
 
 /// The one number that a text holds, computed where it is an expression.

@@ -126,6 +126,12 @@ fn several_rotations_are_asked() {
             "w=0.5 x=-0.5 y=0.5 z=0.5"
         ]
     );
+    let labels: Vec<_> = problem
+        .choices
+        .iter()
+        .filter_map(|choice| choice.label.as_deref())
+        .collect();
+    assert_eq!(labels, ["left", "right"]);
 }
 
 /// Rows of a list are several quaternions, and not a time, a position and one.

@@ -64,7 +64,12 @@ export function fixOfProblem(store: Store, field: Field): Fix | undefined {
 export function choicesOfProblem(store: Store, field: Field): Fix[] {
   const name = textNameOf(field, store.state.value.view);
   const choices = store.problemOf(field)?.choices ?? [];
-  return name === undefined ? [] : choices.map((choice) => writing(name, choice));
+  if (name === undefined) return [];
+  return choices.map((choice) => {
+    const fix = writing(name, choice);
+    // A sequence says it all, without the same numbers once more.
+    return choice.remedy === "with-sequence" ? { ...fix, text: undefined } : fix;
+  });
 }
 
 const writing = (

@@ -1,5 +1,9 @@
 //! The sentences of problems: what is wrong, what was expected, what to try.
 
+// Of whole blocks.
+#[cfg(feature = "whole")]
+mod block;
+
 // Of Euler sequences and their frames.
 mod euler;
 

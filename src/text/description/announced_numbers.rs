@@ -13,7 +13,7 @@ use crate::text::description::list::members;
 use crate::text::description::matrix;
 use crate::text::description::matrix_columns::{self, labelled_vectors};
 use crate::text::description::named_parts::{self, named_parts};
-use crate::text::description::quaternion;
+use crate::text::description::vector::vector;
 use crate::text::description::{
     ParsedRotation, THREE_ANGLES, THREE_HALVES, THREE_NUMBERS, euler_angles, half_angle_vector,
     rotation_vector, three,
@@ -84,7 +84,7 @@ pub(crate) fn rotation(
             if unit.is_some() {
                 return Err(Fault::unit_of_tangents(span));
             }
-            let vector = quaternion::vector(&grammar::entries(rest)?, span)?;
+            let vector = vector(&grammar::entries(rest)?, span)?;
             Ok(match form {
                 Form::GibbsVector => ParsedRotation::GibbsVector(vector),
                 _ => ParsedRotation::ModifiedRodrigues(vector),
@@ -113,7 +113,7 @@ fn vector_of_angles(tokens: &[Token<'_>], span: Span, what: &str) -> Result<[Ang
     let entries = grammar::entries(tokens)?;
     if members(&entries)?.iter().any(|entry| entry.key.is_some()) {
         let part = |number| (Linear::real(number), span);
-        let vector = quaternion::vector(&entries, span)?;
+        let vector = vector(&entries, span)?;
         return Ok([part(vector.x), part(vector.y), part(vector.z)]);
     }
     three(&entries, span, what)

@@ -4,7 +4,7 @@ use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::description::angle::{self, Angle};
 use crate::text::description::list::members;
-use crate::text::description::quaternion;
+use crate::text::description::vector as three_numbers;
 use crate::text::grammar;
 use crate::text::grammar::lex::{Token, TokenKind, last_segment};
 use crate::text::grammar::tree::{Entry, Lead, Node, NodeKind};
@@ -137,7 +137,7 @@ fn vector(entries: &[Entry<'_>], span: Span) -> Result<Vector3<f64>, Fault> {
     {
         return Ok(axis);
     }
-    let axis = quaternion::vector(entries, span)?;
+    let axis = three_numbers::vector(entries, span)?;
     if axis.iter().all(|number| *number == 0.0) {
         return Err(Fault::zero_axis(span));
     }

@@ -11,7 +11,7 @@ use crate::text::description::label;
 use crate::text::description::list::held;
 use crate::text::description::matrix;
 use crate::text::description::named_members::component;
-use crate::text::description::quaternion;
+use crate::text::description::vector::vector;
 use crate::text::description::{
     ParsedRotation, THREE_ANGLES, THREE_NUMBERS, euler_angles, rotation_vector, three,
 };
@@ -161,7 +161,7 @@ impl<'e, 't> RotationCall<'e, 't> {
             ModifiedRodrigues => {
                 self.check_names(&[])?;
                 let entries = all_alone(&self.positional);
-                quaternion::vector(&entries, self.span).map(ParsedRotation::ModifiedRodrigues)
+                vector(&entries, self.span).map(ParsedRotation::ModifiedRodrigues)
             }
             SequenceThenAngles => self.sequence_then_angles(),
             AnglesThenAxes => self.angles_then_axes(),

@@ -4,7 +4,7 @@ use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::description::axis::{span_of, trimmed};
 use crate::text::description::list::members;
-use crate::text::description::quaternion;
+use crate::text::description::vector as three_numbers;
 use crate::text::grammar;
 use crate::text::grammar::lex::{Bracket, Token, TokenKind, last_segment};
 use crate::text::grammar::nesting::at_depth_zero;
@@ -96,7 +96,7 @@ pub(crate) fn matrix(
         let Some(column) = columns.get_mut(place) else {
             return Err(Fault::unknown_argument(vector.label, &name(place)));
         };
-        let numbers = quaternion::vector(
+        let numbers = three_numbers::vector(
             &grammar::entries(vector.tokens)?,
             span_of(vector.tokens, vector.label),
         )?;

@@ -45,6 +45,9 @@ pub(crate) mod settings;
 // What labels and comments tell.
 pub(crate) mod told;
 
+// Members to three numbers.
+pub(crate) mod vector;
+
 // How a text speaks of its numbers.
 pub(crate) mod wording;
 

@@ -21,9 +21,7 @@ impl Attitude {
     /// The attitude that a text holds, or its first problem with what to write instead.
     pub(crate) fn of_text(text: &str, field: Field, declared: Declared) -> Result<Self, Problem> {
         #[cfg(feature = "whole")]
-        let known = (!is_too_long(text))
-            .then(|| in_known_notation(text))
-            .flatten();
+        let known = in_known_notation(text);
         #[cfg(feature = "whole")]
         let text = known.as_deref().unwrap_or(text);
         let attitude = Self::read(text, declared).map_err(|fault| {

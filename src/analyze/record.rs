@@ -211,10 +211,19 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
     let mut told = descriptions(text, &others);
     told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
-    if is_assumed(found) && !has_mark_before(text, found.span) {
+    // `2026-07-08T09:10:11 0.1 0.2 0.3 0.9`, a row of an AEM of CCSDS.
+    let is_row = found.label.contains(':')
+        && found
+            .label
+            .starts_with(|first: char| first.is_ascii_digit());
+    if is_assumed(found) && !is_row && !has_mark_before(text, found.span) {
         return None;
     }
-    if is_assumed(found) {
+    if is_assumed(found) && is_row {
+        told.push(Fact::FormatAssumed(FormatAssumed {
+            format: "a time and a quaternion".to_owned(),
+        }));
+    } else if is_assumed(found) {
         let label = shorten(&found.label, LONGEST_LABEL);
         told.push(Fact::RotationAssumed(RotationAssumed { label }));
     }

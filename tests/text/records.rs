@@ -155,6 +155,19 @@ fn a_list_of_quaternions_is_asked() {
     );
 }
 
+/// A time and four numbers of norm 1 are a row of a file, under a question.
+#[wasm_bindgen_test(unsupported = test)]
+fn a_time_before_four_numbers_is_a_row() {
+    let text = "2026-07-08T09:10:11 0.236559979419 0.195343658385 -0.511428474778 0.802696173189";
+    let report = read(text, "1 0 0", Convention::JPL);
+    assert!(
+        (report.jpl.unit.w - 0.802696173189).abs() < 1e-9,
+        "{report:?}"
+    );
+    let is_assumed = |note: &Note| matches!(note.fact, Fact::FormatAssumed(_)) && note.stops;
+    assert!(report.notes.iter().any(is_assumed), "{:?}", report.notes);
+}
+
 /// Angles without a sequence can be read in those that are usual, in the unit that stands there.
 #[wasm_bindgen_test(unsupported = test)]
 fn usual_sequences_are_offered() {

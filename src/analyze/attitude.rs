@@ -235,6 +235,14 @@ impl Attitude {
         Self { meanings, ..self }
     }
 
+    /// With what else the text holds.
+    #[cfg(feature = "whole")]
+    pub(crate) fn telling(self, more: impl IntoIterator<Item = Fact>) -> Self {
+        let mut told = self.told;
+        told.extend(more);
+        Self { told, ..self }
+    }
+
     /// Whether the norm leaves it open what the numbers are, which a build without suggestions does not
     /// read.
     pub(crate) fn is_far_from_unit(&self) -> bool {

@@ -58,6 +58,10 @@ mod record_told;
 /// From one end of a translation to the other.
 pub mod translate;
 
+// What a text says apart from its numbers.
+#[cfg(feature = "whole")]
+mod said_elsewhere;
+
 // The text of a vector.
 mod vector;
 

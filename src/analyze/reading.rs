@@ -4,6 +4,8 @@ use crate::analyze::attitude::{Attitude, Declared, unit_assumed};
 #[cfg(feature = "whole")]
 use crate::analyze::record::of_record;
 #[cfg(feature = "whole")]
+use crate::analyze::said_elsewhere::said_elsewhere;
+#[cfg(feature = "whole")]
 use crate::character::is_alphabetic;
 use crate::convention::angle::AngleUnit;
 use crate::problem::fault::Fault;
@@ -29,6 +31,10 @@ impl Attitude {
             with_suggestion(fault, text, &read).in_field(field)
         })?;
         let attitude = attitude.with_meanings(text);
+        #[cfg(feature = "whole")]
+        let elsewhere = said_elsewhere(text, &attitude);
+        #[cfg(feature = "whole")]
+        let attitude = attitude.telling(elsewhere);
         if attitude.unit.is_some() {
             return Ok(attitude);
         }

@@ -232,7 +232,7 @@ fn of_block(text: &str, declared: Declared, record: &Record) -> Option<Result<At
             format: format.name.to_owned(),
         }));
     }
-    Some(Ok(telling(attitude, told)))
+    Some(Ok(attitude.telling(told)))
 }
 
 /// What else stands in a text that is read by itself; `None` where nothing does.
@@ -282,12 +282,7 @@ fn beside_plain(
     told.extend(loose_angles(text, record, &attitude));
     told.extend(found_in_text(record, found, &attitude, text));
     let is_more = same.is_none() || !told.is_empty();
-    is_more.then(|| Ok(telling(attitude, told)))
-}
-
-fn telling(attitude: Attitude, told: Vec<Fact>) -> Attitude {
-    let told = [&attitude.told[..], &told[..]].concat();
-    Attitude { told, ..attitude }
+    is_more.then(|| Ok(attitude.telling(told)))
 }
 
 /// With the same four numbers in the other order as a text, where the order was only declared and the other

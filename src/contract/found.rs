@@ -58,6 +58,16 @@ pub struct OtherDescription {
     pub differs_by_deg: f64,
 }
 
+/// The data of [`Fact::SaidElsewhere`](crate::Fact::SaidElsewhere).
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SaidElsewhere {
+    /// The line that says it, or its beginning.
+    pub words: String,
+    /// What the numbers are if it is said of them, such as `an inverse` or `left-handed axes`.
+    pub what: String,
+}
+
 /// The data of [`Fact::FormatAssumed`](crate::Fact::FormatAssumed).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

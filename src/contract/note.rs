@@ -1,7 +1,7 @@
 //! What a careful reader should know: notes are data, the page has the words.
 
 #[cfg(feature = "whole")]
-use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription};
+use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription, SaidElsewhere};
 use crate::convention::angle::AngleUnit;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
@@ -106,6 +106,10 @@ pub enum Fact {
     /// Nothing names the numbers: they were read as a row of this format, as which they pass.
     #[cfg(feature = "whole")]
     FormatAssumed(FormatAssumed),
+    /// A line apart from the numbers says something that, said of them, makes them another rotation; it was not
+    /// used.
+    #[cfg(feature = "whole")]
+    SaidElsewhere(SaidElsewhere),
 }
 
 impl Fact {
@@ -119,7 +123,8 @@ impl Fact {
     /// - an assumed unit of angles: degrees for radians are another rotation by a factor of 57;
     /// - assumed rows, and axes as columns: the other way is the inverse rotation;
     /// - numbers that no word calls a rotation, and a row that nothing calls one of its format;
-    /// - another rotation beside the one that was read, where it should be the same.
+    /// - another rotation beside the one that was read, where it should be the same;
+    /// - an inverse, a product or another convention that a line apart from the numbers tells.
     ///
     /// These do not: the text is what it says, or the reader declared how it is read.
     ///
@@ -153,7 +158,7 @@ impl Fact {
             | Self::AxesAsColumns(_)
             | Self::RotationAssumed(_) => true,
             #[cfg(feature = "whole")]
-            Self::DescriptionsDisagree(_) | Self::FormatAssumed(_) => true,
+            Self::DescriptionsDisagree(_) | Self::FormatAssumed(_) | Self::SaidElsewhere(_) => true,
             Self::Normalised(_)
             | Self::NearestRotation(_)
             | Self::OrderFromText(_)

@@ -65,7 +65,8 @@
 //! is said behind numbers in their line (`(scalar last)`), the same words count, but for what it says is made "of
 //! them", and a unit for all the angles (`rpy 5 4 3 # deg`). Marks on a name (`q⁻¹`, `Rᵀ`, `2q`) and the code above
 //! numbers that printed them (`>>> R.T`) refuse them where they make something else of the rotation. Any other word
-//! says nothing.
+//! says nothing. Of a whole block the order of components is that which the text tells anywhere, and
+//! [`analyze`](fn@crate::analyze) stops at a line apart from the numbers that may say something of them.
 //!
 //! # Which sequence
 //!
@@ -185,7 +186,9 @@ use crate::text::vocabulary::Telling;
 pub(crate) use crate::text::vocabulary::comments_of;
 pub(crate) use crate::text::vocabulary::decimal_words::is_decimal;
 #[cfg(feature = "whole")]
-pub(crate) use crate::text::vocabulary::labels::{other_than_rotation, says_nothing};
+pub(crate) use crate::text::vocabulary::labels::{
+    LabelWord, meanings_of, other_than_rotation, says_nothing,
+};
 use nalgebra::Vector3;
 
 /// The rotation that a text holds, in whichever description it is written.

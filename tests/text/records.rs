@@ -2,7 +2,8 @@
 
 use crate::asked::{self, problems, read, read_request};
 use quatlas::{
-    ComponentOrder, Convention, Fact, Note, OtherDescription, Problem, ProblemCode, Remedy, analyze,
+    ComponentOrder, Convention, Fact, Note, OtherDescription, Outcome, Problem, ProblemCode,
+    Remedy, analyze,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -328,5 +329,86 @@ fn marks_on_names_refuse_them() {
             (read(text, "1 0 0", hamilton()).hamilton.unit.w - 0.8).abs() < 1e-12,
             "{text}"
         );
+    }
+}
+
+/// The order is that which the text tells anywhere, in names before the numbers, in a sentence or a table.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_order_is_told_anywhere() {
+    let numbers = &W_LAST[1..W_LAST.len() - 1];
+    for text in [
+        format!("qx, qy, qz, qw = {numbers}"),
+        format!("[qx, qy, qz, qw] = {W_LAST}"),
+        format!("T_WC (x y z qx qy qz qw): 0.1 0.2 0.3 {numbers}"),
+        format!("# tx ty tz qx qy qz qw\npose = [0.1, 0.2, 0.3, {numbers}]"),
+        format!("q = {W_LAST}\n\nin x, y, z, w order."),
+        format!("The scalar comes last.\nq = {W_LAST}"),
+        format!("; xyzw\nq = {W_LAST}"),
+        format!("-- x, y, z, w\nlocal q = {{{numbers}}}"),
+        format!(
+            "<table><tr><th>qx</th><th>qy</th><th>qz</th><th>qw</th></tr><tr><td>{}</td></tr></table>",
+            numbers.replace(", ", "</td><td>")
+        ),
+        format!(">>> p.getBasePositionAndOrientation(box)\n((0.1, 0.2, 0.5), ({numbers}))"),
+        format!("> mesh.quaternion.toArray()\n(4) {W_LAST}"),
+        format!("quat = np.array({W_LAST})\nr = R.from_quat(quat)"),
+        format!("tf::Quaternion q({numbers});\ntf::Vector3 t(1,2,3);"),
+    ] {
+        let read = read(&text, "1 0 0", hamilton()).hamilton.unit;
+        assert!((read.w - 0.802696173189).abs() < 1e-9, "{text}: {read:?}");
+    }
+    // Both are told.
+    let text = format!("q = {W_FIRST}\nfrom w, x, y, z to x, y, z, w");
+    assert!((read(&text, "1 0 0", hamilton()).hamilton.unit.w - 0.802696173189).abs() < 1e-9);
+}
+
+/// A flag in quotes is the name of the number behind it; names of angles in brackets tell which is which.
+#[wasm_bindgen_test(unsupported = test)]
+fn names_in_lists_are_names() {
+    for text in [
+        "arguments=['--x', '0.1', '--y', '0', '--z', '0.25', '--yaw', '-1.06814150222053', '--pitch', '0.589048622548086', '--roll', '0.218166156499291']",
+        "(yaw, pitch, roll) = (-61.2, 33.75, 12.5) deg",
+        "[yaw, pitch, roll]: [-61.2, 33.75, 12.5] deg",
+    ] {
+        let read = read(text, "1 0 0", hamilton()).hamilton.unit;
+        assert!((read.w - 0.802696173189).abs() < 1e-9, "{text}: {read:?}");
+    }
+}
+
+/// What is said anywhere and may be said of the numbers stops the reader.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_is_said_elsewhere_stops() {
+    let rows = "[0.36, 0.48, -0.8],\n[-0.8, 0.6, 0],\n[0.48, 0.64, 0.6]";
+    for text in [
+        format!("Note that this is the conjugate.\nq = {W_FIRST}"),
+        format!("q = {W_FIRST}\nThis is already the inverse."),
+        format!("I use a left_handed system.\nq = {W_FIRST}"),
+        format!("MSCKF uses the JPL convention.\nq = {W_FIRST}"),
+        format!("Transponierte Rotationsmatrix:\n{rows}"),
+        format!("extrinsics (world -> cam):\n{rows}"),
+        "inverse_pose:\n  rotation: {w: 0.8, x: 0.2, y: -0.4, z: 0.4}".to_owned(),
+        format!("{{\"type\": \"world2cam\", \"rotation\": {W_FIRST}}}"),
+        format!("R = np.array([{rows}])\nR = R.T"),
+        format!("R1 = np.array([{rows}])\nR = R1 @ R2"),
+        format!("quaternion_multiply(q0, {W_FIRST})"),
+        "limits: roll 30 pitch 20 yaw 180 deg".to_owned(),
+        "delta:\n  rotation: {w: 0.8, x: 0.2, y: -0.4, z: 0.4}".to_owned(),
+    ] {
+        let is_said = |note: &Note| matches!(note.fact, Fact::SaidElsewhere(_)) && note.stops;
+        assert!(
+            notes(&text).iter().any(is_said),
+            "{text}: {:?}",
+            notes(&text)
+        );
+    }
+    for text in [
+        format!("inverse kinematics solved\nq: {W_FIRST}"),
+        format!("2 * pi\nq: {W_FIRST}"),
+        format!("# as in the paper: R(q) transposes\nq = {W_FIRST}"),
+    ] {
+        let is_said = |note: &Note| matches!(note.fact, Fact::SaidElsewhere(_));
+        if let Outcome::Read(report) = analyze(&read_request(&text, "1 0 0", hamilton())) {
+            assert!(!report.notes.iter().any(is_said), "{text}");
+        }
     }
 }

@@ -44,6 +44,14 @@ pub(crate) const GRAPHICS: &[Format] = &[
         order: Some(ScalarLast),
         fields: &[],
     },
+    // `mesh.quaternion.toArray()` (three.js).
+    Format {
+        id: "three",
+        name: "three.js",
+        marks: &["~.quaternion.toArray()"],
+        order: Some(ScalarLast),
+        fields: &[],
+    },
     // `flutter: x, y, z @ w` (Dart, `vector_math`: `Quaternion.toString`).
     Format {
         id: "dart-vector-math",

@@ -67,7 +67,9 @@ pub(crate) const ROS: &[Format] = &[
     Format {
         id: "scipy",
         name: "SciPy",
-        marks: &["~.as_quat()\n|~.as_quat() = |~.as_quat(): "],
+        marks: &[
+            "~.as_quat()\n|~.as_quat())\n|~.as_quat() = |~.as_quat(): |~ R.from_quat(|~ Rotation.from_quat(",
+        ],
         order: Some(ScalarLast),
         fields: &[],
     },
@@ -89,6 +91,17 @@ pub(crate) const ROS: &[Format] = &[
         marks: &["geteulerfromquaternion|pybullet"],
         order: None,
         fields: &[Field::Under("getEulerFromQuaternion", &[ROLL_PITCH_YAW])],
+    },
+    // `p.getBasePositionAndOrientation(body)`: `((x, y, z), (x, y, z, w))` (PyBullet quickstart guide).
+    Format {
+        id: "pybullet",
+        name: "PyBullet",
+        marks: &["getbasepositionandorientation"],
+        order: Some(ScalarLast),
+        fields: &[Field::Groups(&[
+            &[Part::Position],
+            &[Part::Quaternion(Some(ScalarLast))],
+        ])],
     },
     // `static_transform_publisher 0.1 0 0.2 1.57 0 0 base_link laser 50`: x y z yaw pitch roll, or x y z qx qy
     // qz qw (geometry2, static_transform_publisher; the period at the end is of ROS 1).

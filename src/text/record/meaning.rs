@@ -152,8 +152,8 @@ impl Meaning {
         self.order = self.order.or(order);
         for word in &words {
             self.unit = self.unit.or_else(|| AngleUnit::named(word));
-            self.by_columns |= matches!(word.as_str(), "column" | "columns" | "columnmajor");
         }
+        self.by_columns |= tells_columns(&words);
         self
     }
 
@@ -171,12 +171,11 @@ impl Meaning {
             return;
         }
         self.order = self.order.or_else(|| order_in_name(&joined)).or_else(|| {
-            // `rotation: Quat(…)`: the last word is the call.
-            let name = key.rsplit([' ', '\t']).next().unwrap_or(key);
-            match call(name) {
+            // `rotation: Quat(…)`, `tf::Quaternion q(…)`: one of the words is the call.
+            key.split([' ', '\t']).find_map(|name| match call(name) {
                 Call::Ordered(order) => Some(order),
                 _ => None,
-            }
+            })
         });
         self.unit = self.unit.or_else(|| {
             let unit = words.iter().rev().find_map(|word| AngleUnit::named(word));
@@ -188,9 +187,7 @@ impl Meaning {
             }
         });
         self.sequence = self.sequence.or_else(|| sequence_of(key, &words));
-        self.by_columns |= words
-            .iter()
-            .any(|word| matches!(word.as_str(), "column" | "columns" | "columnmajor"));
+        self.by_columns |= tells_columns(&words);
         let has = |order: &str| joined.contains(order);
         let tells_both = has("xyzw") && joined.replacen("xyzw", " ", 1).contains("wxyz");
         // spatialmath says in which order it turns: `rpy/zyx`.
@@ -298,6 +295,18 @@ fn order_in_prose(words: &[String]) -> Option<ComponentOrder> {
 
 /// A type of ROS that has a covariance beside what it names.
 const WITH_COVARIANCE: &str = "WithCovariance";
+
+/// `column major`, `by columns`; of `column vectors` any matrix is one.
+fn tells_columns(words: &[String]) -> bool {
+    let mut tells = false;
+    for (at, word) in words.iter().enumerate() {
+        let of_vectors = words
+            .get(at + 1)
+            .is_some_and(|next| next.starts_with("vector"));
+        tells |= matches!(word.as_str(), "column" | "columns" | "columnmajor") && !of_vectors;
+    }
+    tells
+}
 
 /// `rotm2axang(R)`: what a call is given says nothing of what it makes.
 fn without_arguments(key: &str) -> &str {

@@ -91,7 +91,7 @@ pub(crate) use crate::text::record::remark::{
 };
 use crate::text::record::scan::{Token, scan};
 use crate::text::record::settings::{
-    Settings, has_duplicate, is_balanced, is_plain, unknown_orientation,
+    Settings, has_duplicate, is_balanced, is_plain, order_of_words, unknown_orientation,
 };
 use crate::text::record::sums::sums;
 use crate::text::record::table::{Sentence, Table};
@@ -245,7 +245,10 @@ pub(crate) fn record_of(
         ordering,
         formats: asked,
         declared: declared.order,
-        order: settings.order.or_else(|| order_by_comment(text)),
+        order: settings
+            .order
+            .or_else(|| order_by_comment(text))
+            .or_else(|| order_of_words(&tokens)),
         unit: settings.unit.or(by_comment.and_then(|(_, unit)| unit)),
         letters: settings.letters,
     };

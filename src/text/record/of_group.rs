@@ -11,6 +11,7 @@ use crate::text::record::group::Quantities;
 use crate::text::record::meaning::{Meaning, Role};
 use crate::text::record::parts::{Made, Said, made, quaternion, rotation_vector};
 use crate::text::record::quantity::{Group, own_key};
+use crate::text::vocabulary::constructors::{Call, call};
 use nalgebra::Vector4;
 
 /// Adds what a group is.
@@ -257,7 +258,8 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, context: &Context, said: Said<'
         (4, None | Some(Role::Rotation | Role::Quaternion | Role::Derived | Role::Matrix))
             if !meaning.by_columns =>
         {
-            let rotation = quaternion(numbers, said.order);
+            let rotation = quaternion(numbers, said.order)
+                .map(|rotation| of_unknown_constructor(rotation, group));
             rotation.map_or(none, |rotation| vec![Made::Rotation(rotation)])
         }
         (6, _) if said.sequence.is_some() => {
@@ -289,6 +291,24 @@ fn by_name(group: &Group<'_>, meaning: &Meaning, context: &Context, said: Said<'
             .or_else(|| parts(&[Part::HomogeneousColumns(16)]))
             .unwrap_or(none),
         _ => none,
+    }
+}
+
+/// With the name of the call that makes it, where its order is not known.
+fn of_unknown_constructor(rotation: ParsedRotation, group: &Group<'_>) -> ParsedRotation {
+    match rotation {
+        ParsedRotation::Quaternion(parsed)
+            if group.is_of_call && parsed.order_source == OrderSource::Declared =>
+        {
+            let unknown = own_key(group)
+                .split([' ', '\t', '='])
+                .find(|name| matches!(call(name), Call::Unordered));
+            ParsedRotation::Quaternion(ParsedQuaternion {
+                unknown_constructor: unknown.map(str::to_owned),
+                ..parsed
+            })
+        }
+        other => other,
     }
 }
 

@@ -87,6 +87,10 @@ pub(crate) fn of_named(
         if differs(context.unit) || members.iter().any(|member| differs(member.unit)) {
             continue;
         }
+        // `(yaw, pitch, roll) = (…)`: the order of the names is none of the turns, which they tell.
+        if is_listed("roll", names) {
+            said.sequence = None;
+        }
         said.unit = unit.or(said.unit);
         let of_names = |order| (order, OrderSource::Named);
         if let [Part::Quaternion(Some(order))] = parts {

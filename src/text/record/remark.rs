@@ -87,7 +87,8 @@ pub(crate) fn made_by_code(line: &str) -> Option<&'static str> {
         end += name.len();
         let is_call = line[end..].starts_with('(');
         match name {
-            "t" | "adjoint" | "ctranspose" if is_call => return Some("a transpose"),
+            "t" if is_call && is_typed(line) => return Some("a transpose"),
+            "adjoint" | "ctranspose" if is_call => return Some("a transpose"),
             "T" if line[..end].ends_with(".T") => return Some("a transpose"),
             "solve" | "pinv" | "invert" if is_call => return Some("an inverse"),
             "svd" | "eig" | "eigh" | "qr" | "lu" | "chol" | "cholesky" | "pca" | "expm"

@@ -125,6 +125,64 @@ fn is_frame(value: &Value<'_>) -> bool {
     ["intrinsic", "extrinsic"].contains(&value.text)
 }
 
+/// The order of four components that the words of a text tell anywhere: `in x, y, z, w order`, `qx qy qz qw`, `the
+/// scalar comes last`; `None` where they tell none, or both.
+pub(crate) fn order_of_words(tokens: &[Token<'_>]) -> Option<ComponentOrder> {
+    let mut told = None;
+    // The last single letters in a row, behind a q or alone.
+    let mut letters = String::new();
+    let mut are_of_q = false;
+    // How many words ago the scalar was spoken of.
+    let mut since_scalar = usize::MAX;
+    for token in tokens {
+        if matches!(token.mark, Mark::Number(_)) {
+            letters.clear();
+        }
+        if !matches!(token.mark, Mark::Word | Mark::Flag) {
+            continue;
+        }
+        let words = words_of(token.text);
+        // `scalar_first=False` is a setting.
+        if words.len() > 1 && words.iter().any(|word| word == "scalar") {
+            continue;
+        }
+        for word in words {
+            let letter = word.strip_prefix('q').unwrap_or(&word);
+            if letter.is_empty() {
+                continue;
+            }
+            since_scalar = since_scalar.saturating_add(1);
+            let is_of_q = letter.len() < word.len();
+            if letter.len() != 1 || !"wxyz".contains(letter) || is_of_q != are_of_q {
+                letters.clear();
+                are_of_q = is_of_q;
+            }
+            if letter.len() == 1 {
+                letters.push_str(letter);
+            }
+            let last_four = letters.len().saturating_sub(4);
+            let order = match word.as_str() {
+                "scalar" => {
+                    since_scalar = 0;
+                    None
+                }
+                "last" if since_scalar <= NEAR_SCALAR => Some(ComponentOrder::ScalarLast),
+                "first" if since_scalar <= NEAR_SCALAR => Some(ComponentOrder::ScalarFirst),
+                _ => order_in_name(&word).or_else(|| order_in_name(&letters[last_four..])),
+            };
+            match (told, order) {
+                (Some(one), Some(other)) if one != other => return None,
+                (_, Some(order)) => told = Some(order),
+                _ => {}
+            }
+        }
+    }
+    told
+}
+
+/// How many words stand at most between the scalar and its place: `scalar part comes last`.
+const NEAR_SCALAR: usize = 4;
+
 /// Where a text says that the orientation beside it is not known: `"isTracked": false`, and a covariance that
 /// begins with −1 (`sensor_msgs/Imu`, REP 145).
 pub(crate) fn unknown_orientation(quantities: &Quantities<'_>) -> Option<Span> {

@@ -153,6 +153,13 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
           they pass.
         </>
       );
+    case "said-elsewhere":
+      return (
+        <>
+          The text also says <q>{fact.words}</q>: if that is said of these numbers, it is{" "}
+          <strong>{fact.what}</strong>, which was not used.
+        </>
+      );
     case "order-from-text":
       return (
         <>

@@ -93,6 +93,10 @@ impl<'t> Pending<'t> {
         first.map_or("", |first| &whole[first.span.start..last.span.end])
     }
 
+    fn is_flag(&self) -> bool {
+        matches!(&self.words[..], [only] if only.mark == Mark::Flag)
+    }
+
     fn is_label(&self) -> bool {
         self.labels.last() == Some(&self.words.len()) && !self.words.is_empty()
     }
@@ -175,7 +179,10 @@ impl<'t> Builder<'t> {
             Mark::Close => self.close_bracket(),
             Mark::TagClose => self.close_element(),
             Mark::Comma => {
-                self.flush();
+                // `'--x', '0.1'`: a flag is the name of what follows it in a list, too.
+                if !self.pending.is_flag() {
+                    self.flush();
+                }
                 self.follows_comma = true;
             }
             Mark::Semicolon => {

@@ -17,6 +17,8 @@ const repeated = (part) => (length) =>
 const kinds = {
   "a log with one rotation": (length) =>
     `${repeated("[INFO] [12.5]: waiting for a transform\n")(length)}\norientation: {x: 0.1, y: 0.3, z: 0.5, w: 0.8}`,
+  "a product beside a rotation": (length) =>
+    `${repeated("1 * ")(length)}\norientation: {x: 0.1, y: 0.3, z: 0.5, w: 0.8}`,
   "poses in YAML": repeated(
     "position: {x: 1, y: 2, z: 3}\norientation: {x: 0.1, y: 0.3, z: 0.5, w: 0.8}\n---\n",
   ),

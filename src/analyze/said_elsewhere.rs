@@ -1,6 +1,7 @@
 //! What a text says that may be said of the numbers that were read, and was not used.
 
 use crate::analyze::attitude::Attitude;
+use crate::character::{begins_name, is_alphabetic, is_digit, is_of_name};
 use crate::contract::{Fact, Form, SaidElsewhere};
 use crate::convention::Direction;
 use crate::problem::{Span, shorten};
@@ -69,6 +70,10 @@ const NAMING: [(&str, &str); 12] = [
 
 /// The first line that may be said of the numbers and was not used.
 pub(crate) fn said_elsewhere(text: &str, attitude: &Attitude) -> Option<Fact> {
+    // Numbers alone, of which most texts are, say nothing.
+    if !text.contains(is_alphabetic) {
+        return None;
+    }
     let is_one_line = !text.trim().contains('\n');
     // What comments say is used, or the numbers are refused.
     let mut bare = text.to_owned();
@@ -92,19 +97,17 @@ pub(crate) fn said_elsewhere(text: &str, attitude: &Attitude) -> Option<Fact> {
 }
 
 fn said(line: &str, is_one_line: bool, attitude: &Attitude) -> Option<&'static str> {
-    if is_product(line) {
+    let lower = line.to_ascii_lowercase();
+    if is_product(line, &lower) {
         return Some("a product");
     }
     let is_transposed = line.ends_with(".T") || line.contains(".T ") || line.contains(".T)");
     if is_transposed {
         return Some("a transpose");
     }
-    let lower = line.to_ascii_lowercase();
     // A solver of robots, and its log level.
     let is_of_robot = lower.contains("inverse kinematic") || lower.contains("inverse_kinematic");
-    let name = line
-        .find(|mark: char| mark.is_ascii_digit())
-        .unwrap_or(line.len());
+    let name = line.find(is_digit).unwrap_or(line.len());
     let is_name =
         name < LONGEST_NAME && (is_one_line && !line.starts_with('[') || line.ends_with(':'));
     let naming: &[_] = if is_name { &NAMING } else { &[] };
@@ -147,28 +150,29 @@ fn without_fillers(line: &str) -> String {
     plain
 }
 
-/// Whether a line multiplies by what has no numbers in it: `q1 * q2`, `R_z @ np.array(…)`, or goes on with a factor.
-fn is_product(line: &str) -> bool {
+/// Whether a line multiplies by what has no numbers in it: `q1 * q2`, `R_z @ np.array(…)`, or goes on with a factor;
+/// `lower` is the line in small letters.
+fn is_product(line: &str, lower: &str) -> bool {
+    // Looked for once, however many signs a line has.
+    let last = |part: &str| lower.rfind(part);
+    let last_turn = last("axis").max(last("axang"));
+    let last_call = last("::").max(last("("));
     for (at, mark) in line.char_indices() {
         if !matches!(mark, '*' | '@' | '⊗') {
             continue;
         }
         let (before, after) = (&line[..at], &line[at + mark.len_utf8()..]);
         let is_spaced = before.ends_with(' ') == after.starts_with(' ') || before.is_empty();
-        let name = before
-            .trim_end()
-            .rsplit(|mark: char| !mark.is_alphanumeric() && mark != '_')
-            .next();
-        let is_name = name.is_some_and(|name| name.starts_with(char::is_alphabetic));
         let first = after.trim_start();
-        let follows_name = first.starts_with(|next: char| next.is_alphabetic() || next == '_');
-        // `* item` is a list.
-        let is_call = first.contains("::") || first.contains('(');
-        // Turns about axes one after the other are read as what they make.
-        let lower = first.to_ascii_lowercase();
-        let is_turn = lower.contains("axis") || lower.contains("axang");
-        if is_spaced && follows_name && !is_turn && (is_name || before.trim().is_empty() && is_call)
-        {
+        if !is_spaced || !first.starts_with(begins_name) {
+            continue;
+        }
+        let name = before.trim_end().rsplit(|mark| !is_of_name(mark)).next();
+        let is_name = name.is_some_and(|name| name.starts_with(is_alphabetic));
+        let place = Some(line.len() - first.len());
+        // Turns about axes one after the other are read as what they make; `* item` is a list.
+        let (is_turn, is_call) = (last_turn >= place, last_call >= place);
+        if !is_turn && (is_name || before.is_empty() && is_call) {
             return true;
         }
     }

@@ -1,7 +1,7 @@
 //! What is said of numbers outside of their name: behind them in their line, and in the code above that printed
 //! them.
 
-use crate::character::{is_alphabetic, is_alphanumeric, is_capital, is_of_name};
+use crate::character::{is_alphabetic, is_alphanumeric, is_capital, is_digit, is_of_name};
 use crate::problem::Span;
 use crate::text::record::scan::lexemes::prompt;
 use crate::text::vocabulary::labels::is_derived;
@@ -23,14 +23,10 @@ fn length_of_remark(line: &str) -> usize {
     // Where what may be a name begins.
     let mut name = 0;
     for (at, mark) in line.char_indices() {
-        let after = &line[at..];
-        let is_comment = ["#", "//", "--", "/*", "%"]
-            .iter()
-            .any(|begin| after.starts_with(begin));
-        if is_comment && !is_alphanumeric(before) {
+        if begins_comment(&line[at..]) && !is_alphanumeric(before) {
             return line.len();
         }
-        let is_number = mark.is_ascii_digit() && !is_alphanumeric(before) && before != '_';
+        let is_number = is_digit(mark) && !is_of_name(before);
         if is_number || "[{<:=\"".contains(mark) {
             return name;
         }
@@ -40,6 +36,13 @@ fn length_of_remark(line: &str) -> usize {
         before = mark;
     }
     line.len()
+}
+
+/// Whether a text begins with the mark of a comment in any language.
+fn begins_comment(text: &str) -> bool {
+    ["#", "//", "--", "/*", "%"]
+        .iter()
+        .any(|mark| text.starts_with(mark))
 }
 
 /// How many lines above numbers are looked at.
@@ -60,7 +63,7 @@ pub(crate) fn code_above(text: &str, start: usize) -> Option<Span> {
         }
         // Other numbers.
         let first = line.trim_start_matches(['[', '(', '-', ' ']);
-        if first.starts_with(|first: char| first.is_ascii_digit()) || begin == 0 {
+        if first.starts_with(is_digit) || begin == 0 {
             return None;
         }
         end = begin - 1;
@@ -133,11 +136,10 @@ pub(crate) fn made_by_remark(remark: &str) -> Option<&'static str> {
 pub(crate) fn made_above(text: &str) -> Option<(Span, &'static str)> {
     let mut start = 0;
     for line in text.split_inclusive('\n') {
-        let first = line.trim_start_matches(|mark: char| !mark.is_ascii_digit());
+        let first = line.trim_start_matches(|mark| !is_digit(mark));
         let at = start + line.len() - first.len();
         let before = line[..line.len() - first.len()].chars().next_back();
-        let is_number = !first.is_empty()
-            && before.is_none_or(|before| !is_alphanumeric(before) && before != '_');
+        let is_number = !first.is_empty() && before.is_none_or(|before| !is_of_name(before));
         if is_number && !is_typed(line.trim()) {
             let code = code_above(text, at)?;
             return Some((code, made_by_code(&text[code.start..code.end])?));
@@ -157,15 +159,9 @@ pub(crate) fn marked_label(text: &str) -> Option<(Span, &'static str)> {
     let mut start = 0;
     for line in text.split('\n') {
         // A comment is told of more than one label.
-        let is_comment = ["#", "//", "%", "--"]
-            .iter()
-            .any(|begin| line.trim_start().starts_with(begin));
-        let end = if is_comment {
-            0
-        } else {
-            line.find(['=', ':']).unwrap_or(0)
-        };
-        if let Some(label) = line.get(..end)
+        let is_comment = begins_comment(line.trim_start());
+        let end = line.find(['=', ':']).filter(|_| !is_comment);
+        if let Some(label) = line.get(..end.unwrap_or(0))
             && let Some(what) = made_by_marks(
                 label
                     .trim()
@@ -216,7 +212,7 @@ fn made_by_marks(label: &str) -> Option<&'static str> {
         return Some("a product");
     }
     // `2q`, not `3x3`
-    let factor = label.trim_start_matches(|digit: char| digit.is_ascii_digit());
+    let factor = label.trim_start_matches(is_digit);
     if factor.len() < label.len() && matches!(factor, "q" | "Q" | "R") {
         return Some("a multiple");
     }

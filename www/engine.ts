@@ -5,8 +5,9 @@ import type {
   Library,
   LibraryDescription,
   Outcome,
-  Probe,
+  Probe as ProbeOfCore,
   Request,
+  Text,
 } from "../pkg/quatlas.js";
 import wholeUrl from "../pkg/quatlas_bg.wasm?url";
 import loadSmall, {
@@ -20,6 +21,12 @@ import smallUrl from "../pkg/small/quatlas_small_bg.wasm?url";
 import { answering, type Core, CoreStopped, calling } from "./package/answering.ts";
 
 export type * from "../pkg/quatlas.js";
+
+/** An observation as the page has it: only a program gives numbers in place of texts. */
+export type Probe = OfTexts<ProbeOfCore>;
+type OfTexts<Asked> = Asked extends unknown
+  ? { [Name in keyof Asked]: Text extends Asked[Name] ? string : Asked[Name] }
+  : never;
 
 /** What the core could not answer, in words; a mistake of ours, never of the text. */
 export interface Failure {
@@ -39,7 +46,6 @@ export type Describe = (
 export interface Engine {
   /** Whether a text with a problem has one for quatlas, and not for the small core alone. */
   isWhole: boolean;
-  views: readonly Request["view"][];
   /** What libraries do, in the order of the table; it comes with the whole core. */
   libraries: readonly Library[];
   /** The probes that are proposed, one of each kind; only the whole core has them. */
@@ -68,9 +74,6 @@ const small: EitherCore = {
   takePanicMessage,
 };
 
-/** The views that the core of the first load answers. */
-export const smallViews: Engine["views"] = ["read", "compose"];
-
 /** What first.js asked for before this script was there. */
 declare global {
   var askedFirst: { url: string; answer: Promise<Response> } | undefined;
@@ -89,7 +92,6 @@ export async function loadSmallEngine(bytes?: BufferSource): Promise<Engine> {
   await loadSmall({ module_or_path: bytes ?? askedFor(smallUrl) });
   return {
     isWhole: false,
-    views: smallViews,
     libraries: [],
     standardProbes: [],
     ...answersOf(small, calling(small)),
@@ -116,9 +118,8 @@ async function fetchWholeEngine(): Promise<Engine> {
   const call = calling(whole);
   return {
     isWhole: true,
-    views: [...smallViews, "translate", "identify", "numbers"],
     libraries: libraries as Library[],
-    standardProbes: whole.standardProbes(),
+    standardProbes: whole.standardProbes() as Probe[],
     ...answersOf(whole, call),
     describeLibrary: remembered((id) => call(() => whole.describeLibrary(id))),
   };

@@ -29,6 +29,9 @@ pub mod probe;
 /// What is asked.
 pub mod request;
 
+// What is typed.
+mod text;
+
 // What a translation answers.
 mod translation;
 
@@ -39,6 +42,7 @@ pub use crate::contract::identification::*;
 pub use crate::contract::matrices::*;
 pub use crate::contract::note::*;
 pub use crate::contract::numbers::*;
+pub use crate::contract::text::*;
 pub use crate::contract::translation::*;
 use crate::convention::{Convention, Direction};
 use crate::problem::{Field, Problem};

@@ -1,5 +1,6 @@
 //! What was tried on a library, as texts.
 
+use crate::contract::text::Text;
 use crate::problem::Field;
 use serde::{Deserialize, Serialize};
 
@@ -39,34 +40,34 @@ pub enum Probe {
     /// Four numbers into the constructor, and printed.
     Components {
         /// The quaternion that went in.
-        quaternion: String,
+        quaternion: Text,
         /// The quaternion as printed.
-        printed: String,
+        printed: Text,
     },
     /// `a * b`.
     Product {
         /// The left operand.
-        a: String,
+        a: Text,
         /// The right operand.
-        b: String,
+        b: Text,
         /// The quaternion as printed.
-        printed: String,
+        printed: Text,
     },
     /// A vector rotated by a quaternion.
     Rotate {
         /// The quaternion that went in.
-        quaternion: String,
+        quaternion: Text,
         /// The vector that went in.
-        vector: String,
+        vector: Text,
         /// The vector as printed.
-        printed: String,
+        printed: Text,
     },
     /// The matrix of a quaternion.
     Matrix {
         /// The quaternion that went in.
-        quaternion: String,
+        quaternion: Text,
         /// Nine numbers as printed.
-        printed: String,
+        printed: Text,
         /// How they were printed.
         #[serde(default)]
         layout: MatrixLayout,
@@ -74,26 +75,26 @@ pub enum Probe {
     /// The quaternion of a matrix.
     FromMatrix {
         /// Nine numbers that went in.
-        matrix: String,
+        matrix: Text,
         /// How they went in.
         #[serde(default)]
         layout: MatrixLayout,
         /// The quaternion as printed.
-        printed: String,
+        printed: Text,
     },
     /// The quaternion of a body that was turned by +90° about the world's z axis.
     QuarterTurn {
         /// The quaternion as printed.
-        printed: String,
+        printed: Text,
     },
     /// A quaternion after a small turn was added, by the library's own call.
     Perturb {
         /// The quaternion that went in.
-        quaternion: String,
+        quaternion: Text,
         /// The rotation vector that was added, in radians: three numbers.
-        rotation_vector: String,
+        rotation_vector: Text,
         /// The quaternion as printed.
-        printed: String,
+        printed: Text,
     },
 }
 

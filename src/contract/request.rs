@@ -1,6 +1,7 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
 use crate::contract::probe::{Probe, ProbeKind};
+use crate::contract::text::Text;
 use crate::convention::Convention;
 use crate::convention::euler_sequence::EulerSequence;
 use crate::convention::matrix::MatrixConvention;
@@ -32,9 +33,9 @@ pub enum Request {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ReadRequest {
     /// The attitude, as a quaternion or in any other accepted form (see [`parse`](mod@crate::text)).
-    pub quaternion: String,
+    pub quaternion: Text,
     /// The vector `v`, in any accepted form.
-    pub vector: String,
+    pub vector: Text,
     /// What four numbers are declared to mean.
     pub convention: Convention,
     /// What nine numbers are declared to mean; body to world where it is left out.
@@ -50,11 +51,11 @@ pub struct ReadRequest {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ComposeRequest {
     /// The left operand.
-    pub p: String,
+    pub p: Text,
     /// The right operand.
-    pub q: String,
+    pub q: Text,
     /// The vector `v` that both turn, one after the other.
-    pub vector: String,
+    pub vector: Text,
     /// What four numbers of either are declared to mean.
     pub convention: Convention,
     /// What nine numbers of either are declared to mean; body to world where it is left out.
@@ -69,7 +70,7 @@ pub struct ComposeRequest {
 pub struct TranslateRequest {
     /// The attitude as the first end writes it: its four numbers, its matrix, its constructor call; or
     /// any other accepted form.
-    pub quaternion: String,
+    pub quaternion: Text,
     /// Where it comes from.
     pub from: Endpoint,
     /// Where it goes to.
@@ -106,19 +107,19 @@ pub struct IdentifyRequest {
 #[serde(rename_all = "camelCase", default)]
 pub struct MatricesRequest {
     /// The matrix of a body that was turned by +90° about the world's z axis.
-    pub yawed: String,
+    pub yawed: Text,
     /// Of three frames A, B and C, turned about different axes, that with the label A to B.
-    pub a: String,
+    pub a: Text,
     /// That with the label B to C.
-    pub b: String,
+    pub b: Text,
     /// That with the label A to C.
-    pub product: String,
+    pub product: Text,
     /// A matrix to which a small turn is added, best that of `yawed`.
-    pub matrix: String,
+    pub matrix: Text,
     /// The rotation vector that the library's own call adds to it, in radians, best about x.
-    pub rotation_vector: String,
+    pub rotation_vector: Text,
     /// What the call made of the matrix.
-    pub printed: String,
+    pub printed: Text,
 }
 
 /// Numbers beside an attitude.
@@ -127,9 +128,9 @@ pub struct MatricesRequest {
 pub struct NumbersRequest {
     /// Three, four or nine numbers as a program printed them; or four names, each of a component, such
     /// as `(-q2, q1, -q4, q3)`: the rewriting of any quaternion.
-    pub numbers: String,
+    pub numbers: Text,
     /// The attitude, in any accepted form; beside four names it is not read.
-    pub quaternion: String,
+    pub quaternion: Text,
     /// What four numbers are declared to mean.
     pub convention: Convention,
     /// What nine numbers are declared to mean; body to world where it is left out.

@@ -40,8 +40,8 @@ pub(crate) fn translate_request(request: &Members<'_>) -> Typed<TranslateRequest
         quaternion: request.text("quaternion")?,
         from: endpoint(&request.object("from")?)?,
         to: endpoint(&request.object("to")?)?,
-        world_axes: request.text_or_empty("worldAxes")?,
-        body_axes: request.text_or_empty("bodyAxes")?,
+        world_axes: request.name_or_empty("worldAxes")?,
+        body_axes: request.name_or_empty("bodyAxes")?,
     })
 }
 
@@ -54,7 +54,7 @@ fn endpoint(members: &Members<'_>) -> Typed<Endpoint> {
         "library" => {
             members.only(&LIBRARY)?;
             Ok(Endpoint::Library(LibraryEndpoint {
-                id: members.text("id")?,
+                id: members.name("id")?,
                 order: members.named_if_any("order")?,
                 direction: members.named_if_any("direction")?,
             }))
@@ -76,7 +76,7 @@ pub(crate) fn identify_request(request: &Members<'_>) -> Typed<IdentifyRequest> 
     request.only(&IDENTIFY)?;
     Ok(IdentifyRequest {
         observations: request.list_of_objects("observations", probe)?,
-        name: request.text_or_empty("name")?,
+        name: request.name_or_empty("name")?,
         language: request.named_or_default("language")?,
         unavailable: request.list_of_named("unavailable")?,
     })

@@ -8,17 +8,13 @@ use js_sys::{JsString, Reflect, TypeError};
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
-    crate::decimal::shortest,
+    crate::wasm::list::{List, numbers_as_text},
     serde::de::{DeserializeOwned, IntoDeserializer},
     std::fmt,
 };
 
 /// A value of its type, or what is thrown instead.
 pub(crate) type Typed<Kind> = Result<Kind, JsValue>;
-
-/// The most elements of a list: far more than anybody observes, few enough to answer in seconds.
-#[cfg(feature = "libraries")]
-const MOST_ELEMENTS: u32 = 10_000;
 
 /// How much of a name a message repeats.
 const QUOTED_UNITS: usize = 40;
@@ -84,9 +80,23 @@ impl<'r> Members<'r> {
     }
 
     fn text_of(&self, value: &JsValue, name: &str) -> Typed<String> {
+        #[cfg(feature = "libraries")]
+        if let Some(text) = numbers_as_text(value, &self.path_to(name))? {
+            return self.texts.counted(text).ok_or_else(too_long_together);
+        }
+        self.name_of(value, name)
+    }
+
+    /// A text that is a name, which no numbers are.
+    #[cfg(feature = "libraries")]
+    pub(crate) fn name(&self, name: &str) -> Typed<String> {
+        self.name_of(&self.value(name)?, name)
+    }
+
+    fn name_of(&self, value: &JsValue, name: &str) -> Typed<String> {
         let path = self.path_to(name);
         let text = self.texts.read(string_of(value, &path)?, &path);
-        text.ok_or_else(|| refused("all its texts together are too long"))
+        text.ok_or_else(too_long_together)
     }
 
     /// A text that is one of a few words, or the beginning of a longer one.
@@ -169,6 +179,15 @@ impl<'r> Members<'r> {
         self.text_of(&value, name)
     }
 
+    /// Empty where the member is undefined.
+    pub(crate) fn name_or_empty(&self, name: &str) -> Typed<String> {
+        let value = self.value(name)?;
+        if value.is_undefined() {
+            return Ok(String::new());
+        }
+        self.name_of(&value, name)
+    }
+
     /// One of those that serde knows, by its name.
     pub(crate) fn named<Choice: DeserializeOwned>(&self, name: &str) -> Typed<Choice> {
         named(&self.value(name)?, &self.path_to(name))
@@ -226,50 +245,6 @@ impl<'r> Members<'r> {
             all.push(read(&Self::of(object, path, self.texts)?)?);
         }
         Ok(all)
-    }
-}
-
-#[wasm_bindgen]
-extern "C" {
-    /// What is asked of a proxy that was revoked throws.
-    #[cfg(feature = "libraries")]
-    #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
-    fn is_array(value: &JsValue) -> Result<bool, JsValue>;
-}
-
-/// A list, and how many elements of it are read. A proxy may say anything of its length.
-#[cfg(feature = "libraries")]
-struct List {
-    list: JsValue,
-    path: String,
-    length: u32,
-}
-
-#[cfg(feature = "libraries")]
-impl List {
-    fn of(list: JsValue, path: String) -> Typed<Self> {
-        if !is_array(&list)? {
-            return Err(not_of_kind(&list, &path, "a list"));
-        }
-        let told = Reflect::get(&list, &"length".into())?;
-        let told = told.as_f64().unwrap_or_default();
-        if !(0.0..=f64::from(MOST_ELEMENTS)).contains(&told) {
-            let length = shortest(told);
-            return Err(refused(&format!(
-                "`{path}` has {length} elements; at most {MOST_ELEMENTS} are read"
-            )));
-        }
-        let mut length = 0;
-        while f64::from(length) < told {
-            length += 1;
-        }
-        Ok(Self { list, path, length })
-    }
-
-    /// An element with its path.
-    fn element(&self, at: u32) -> Typed<(String, JsValue)> {
-        let path = format!("{}[{at}]", self.path);
-        Ok((path, Reflect::get_u32(&self.list, at)?))
     }
 }
 
@@ -343,8 +318,12 @@ fn string_of<'value>(value: &'value JsValue, path: &str) -> Typed<&'value JsStri
     string.ok_or_else(|| not_of_kind(value, path, "a text"))
 }
 
+fn too_long_together() -> JsValue {
+    refused("all its texts together are too long")
+}
+
 /// `path` is empty for the request itself.
-fn not_of_kind(value: &JsValue, path: &str, wanted: &str) -> JsValue {
+pub(crate) fn not_of_kind(value: &JsValue, path: &str, wanted: &str) -> JsValue {
     let kind = match value.js_typeof().as_string().unwrap_or_default() {
         _ if value.is_null() => "null".to_owned(),
         kind if kind == "undefined" && !path.is_empty() => {

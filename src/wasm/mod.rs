@@ -7,6 +7,10 @@
 #[cfg(feature = "libraries")]
 mod library_request;
 
+// Lists of JavaScript, and numbers in place of a text.
+#[cfg(feature = "libraries")]
+mod list;
+
 // The members of objects of JavaScript.
 mod members;
 
@@ -67,6 +71,17 @@ const VIEWS: [&str; 2] = ["read", "compose"];
 #[wasm_bindgen(typescript_custom_section)]
 const SUGGESTIONS: &str = "/** Several of them, in the order in which they are offered. */
 export type Suggestions = Suggestion[];";
+
+/// What a text of a request is in TypeScript, where Rust has a `String`.
+#[wasm_bindgen(typescript_custom_section)]
+const TEXT: &str = "/** What is typed; or numbers, which are read as they would be typed: a number, a list of them, or rows of them. */
+export type Text =
+  | string
+  | number
+  | Float64Array
+  | Float32Array
+  | readonly number[]
+  | readonly (readonly number[] | Float64Array | Float32Array)[];";
 
 /// The named conventions.
 #[derive(Serialize, tsify::Tsify)]

@@ -44,6 +44,11 @@ impl Texts {
         } else {
             JsValue::from(text).as_string().unwrap_or_default()
         };
+        self.counted(read)
+    }
+
+    /// The text; nothing where all texts together are too many.
+    pub(crate) fn counted(&self, read: String) -> Option<String> {
         self.bytes.set(self.bytes.get() + read.len());
         (self.bytes.get() <= MOST_BYTES_OF_ALL).then_some(read)
     }

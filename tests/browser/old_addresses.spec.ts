@@ -5,7 +5,7 @@ import type { Page } from "@playwright/test";
 import { analyze, initSync } from "../../pkg/quatlas.js";
 import { fromFragment } from "../../www/address/fragment.ts";
 import type { PageState } from "../../www/model/page_state.ts";
-import { requestOf } from "../../www/state/store.ts";
+import { askedOf } from "./support/asked.ts";
 import { expect, test } from "./support/page.ts";
 
 const root = new URL("../../", import.meta.url);
@@ -63,7 +63,7 @@ function expectNear(now: unknown, before: unknown, at: string) {
 }
 
 function answerOf(state: PageState): Record<string, unknown> {
-  const request = requestOf(state);
+  const request = askedOf(state);
   const outcome = request && analyze(request);
   switch (outcome?.status) {
     case "problems":

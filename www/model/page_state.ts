@@ -12,6 +12,8 @@ import { firstPicture, type PictureState } from "./picture_state.ts";
 
 export const views = ["read", "compose", "translate", "identify", "libraries"] as const;
 export type View = (typeof views)[number];
+/** The views that the core of the first load answers. */
+export const smallViews: readonly View[] = ["read", "compose"];
 export const presetChoices = ["hamilton", "jpl"] as const;
 export type Preset = (typeof presetChoices)[number];
 /** Decimals shown; a copy always has all of them. */

@@ -1,5 +1,5 @@
 // The one mutable value of the page, and what follows from it.
-import { batch, computed, signal } from "@preact/signals";
+import { batch, computed, type ReadonlySignal, signal } from "@preact/signals";
 import {
   fromFragment,
   isOfNewerVersion,
@@ -8,7 +8,7 @@ import {
 } from "../address/fragment.ts";
 import type { Engine, Field, Outcome, Problem, Request } from "../engine.ts";
 import { declaredConvention } from "../model/conventions.ts";
-import { opening, type PageState } from "../model/page_state.ts";
+import { opening, type PageState, smallViews, type View } from "../model/page_state.ts";
 import { type Answer, addressed } from "./addressed.ts";
 import { endAnnouncement } from "./announcement.ts";
 import {
@@ -85,6 +85,15 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     return answer(state.peek(), engine.value);
   });
 
+  const answerBeside = (asks: Asks) => {
+    const asked = computed(() => JSON.stringify(asks(state.value)));
+    return computed(() => {
+      asked.value;
+      const request = asks(state.peek());
+      return request && engine.value.isWhole ? engine.value.analyze(request) : undefined;
+    });
+  };
+
   /** Whether the core that is there cannot read a text, and the whole one may. */
   const mayBeRead = computed(() => outcome.value?.status === "problems" && !engine.value.isWhole);
   const wholeCore = signal<"awaited" | "missing">("awaited");
@@ -98,13 +107,7 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     outcome.value?.status === "failure" ? outcome.value.message : undefined,
   );
 
-  // What is asked beside a view, once the core that answers it is there.
-  const askedOfNumbers = computed(() => JSON.stringify(numbersRequestOf(state.value)));
-  const numbers = computed(() => {
-    askedOfNumbers.value;
-    const request = numbersRequestOf(state.peek());
-    return request && engine.value.isWhole ? engine.value.analyze(request) : undefined;
-  });
+  const besides = new Map<Asks, ReadonlySignal<Answer>>();
 
   // The last good result of each view stays while the text has a problem; before the first one it
   // is the opening example, once it is known that the text has one.
@@ -134,8 +137,12 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     compose: lastOf("compose"),
     translate: lastOf("translate"),
     identify: lastOf("identify"),
-    /** What the numbers beside an attitude are; nothing where there are none. */
-    numbers,
+    /** What is asked beside a view, from when the core that answers it is there; one answer for each question. */
+    beside: (asks: Asks): ReadonlySignal<Answer> => {
+      const known = besides.get(asks) ?? answerBeside(asks);
+      besides.set(asks, known);
+      return known;
+    },
     failure,
     mayBeRead,
     /** What has become of the whole core where it is needed. */
@@ -182,43 +189,23 @@ function knownBy({ libraries }: Engine): (id: string) => boolean {
 /** What the core answers to a state; nothing where its view asks nothing, or more than this core knows. */
 function answer(state: PageState, engine: Engine): Answer {
   const request = requestOf(state);
-  return request && engine.views.includes(request.view) ? engine.analyze(request) : undefined;
+  const isAnswered = engine.isWhole || smallViews.includes(state.view);
+  return request && isAnswered ? engine.analyze(request) : undefined;
 }
+
+/** What a view asks the core of a state; nothing where it asks nothing. */
+export type Asks = (state: PageState) => Request | undefined;
+
+/** What the views ask that are loaded later, from when their file is there. */
+export const asksOf = signal<Partial<Record<View, Asks>>>({});
 
 /** What a state asks the core; nothing where its view asks nothing. */
 export function requestOf(state: PageState): Request | undefined {
   const { view, quaternion, p, q, vector, matrix, euler } = state;
   const convention = declaredConvention(state);
-  switch (view) {
-    case "read":
-      return { view, quaternion, vector, convention, matrix, euler };
-    case "compose":
-      return { view, p, q, vector, convention, matrix };
-    case "translate": {
-      const { translated, from, to, worldAxes, bodyAxes } = state;
-      return { view, quaternion: translated, from, to, worldAxes, bodyAxes };
-    }
-    case "identify": {
-      const { observations, libraryName, language, unavailable } = state;
-      return {
-        view,
-        observations: [...observations],
-        name: libraryName,
-        language,
-        unavailable: [...unavailable],
-      };
-    }
-    case "libraries":
-      return undefined;
-  }
-}
-
-/** What a state asks of the numbers beside an attitude; nothing where there are none, or in another view. */
-function numbersRequestOf(state: PageState): Request | undefined {
-  const { view, numbers, beside, matrix } = state;
-  if (view !== "identify" || numbers.trim() === "") return undefined;
-  const convention = declaredConvention(state);
-  return { view: "numbers", numbers, quaternion: beside, convention, matrix };
+  if (view === "read") return { view, quaternion, vector, convention, matrix, euler };
+  if (view === "compose") return { view, p, q, vector, convention, matrix };
+  return asksOf.value[view]?.(state);
 }
 
 type Good = Extract<Outcome, { status: "read" | "compose" | "translate" | "identify" }>;

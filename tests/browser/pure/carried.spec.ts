@@ -14,8 +14,8 @@ import {
 } from "../../../www/model/carried.ts";
 import { axisValues, declaredConvention } from "../../../www/model/conventions.ts";
 import { opening, type PageState } from "../../../www/model/page_state.ts";
-import { requestOf } from "../../../www/state/store.ts";
 import { namedConventions } from "../../../www/values.ts";
+import { askedOf } from "../support/asked.ts";
 
 const root = new URL("../../../", import.meta.url);
 initSync({ module: readFileSync(new URL("pkg/quatlas_bg.wasm", root)) });
@@ -37,7 +37,7 @@ const conventions: Convention[] = axisValues.order.flatMap((order) =>
 type Of<Status> = Extract<Outcome, { status: Status }>;
 
 function ask<Status extends "read" | "compose" | "translate">(state: PageState, status: Status) {
-  const request = requestOf(state);
+  const request = askedOf(state);
   const outcome = request && analyze(request);
   if (outcome?.status !== status) throw new Error(`${toFragment(state)}: ${outcome?.status}`);
   return outcome as Of<Status>;

@@ -1,14 +1,16 @@
 // The views that are not in the first load. Each is a file of its own, and most ask the whole core.
 import { type Signal, signal } from "@preact/signals";
 import type { VNode } from "preact";
-import { type Engine, loadSmallEngine, loadWholeEngine, smallViews } from "../../engine.ts";
-import type { View } from "../../model/page_state.ts";
-import type { Store } from "../../state/store.ts";
+import { type Engine, loadSmallEngine, loadWholeEngine } from "../../engine.ts";
+import { smallViews, type View } from "../../model/page_state.ts";
+import { type Asks, asksOf, type Store } from "../../state/store.ts";
 
 export interface LoadedView {
   Shown: (props: { store: Store }) => VNode;
   /** What a screen reader hears when the result changes. */
   spoken: (store: Store) => string;
+  /** What it asks the core, where that is not asked at the start. */
+  asks?: Asks;
 }
 
 const files = {
@@ -17,12 +19,14 @@ const files = {
     return { Shown: Compose, spoken: spokenProduct };
   },
   translate: async () => {
-    const { Translate, spokenTranslation } = await import("../translate/Translate.tsx");
-    return { Shown: Translate, spoken: spokenTranslation };
+    const { Translate, spokenTranslation, askedOfTranslate } = await import(
+      "../translate/Translate.tsx"
+    );
+    return { Shown: Translate, spoken: spokenTranslation, asks: askedOfTranslate };
   },
   identify: async () => {
-    const { Identify, spokenIdentity } = await import("../identify/Identify.tsx");
-    return { Shown: Identify, spoken: spokenIdentity };
+    const { Identify, spokenIdentity, askedOfIdentify } = await import("../identify/Identify.tsx");
+    return { Shown: Identify, spoken: spokenIdentity, asks: askedOfIdentify };
   },
   libraries: async () => {
     const { Libraries, spokenLibraries } = await import("../libraries/Libraries.tsx");
@@ -50,7 +54,7 @@ export function isLazy(view: View): view is LazyView {
 
 /** Whether a view asks what the core of the first load does not answer. */
 function needsWholeCore(view: View): boolean {
-  return !smallViews.some((answered) => answered === view);
+  return !smallViews.includes(view);
 }
 
 /** The core that a view begins with. Its file comes beside it, so that it stands there with the first result. */
@@ -67,7 +71,7 @@ export async function loadFile(view: LazyView) {
   const loading = loadingOf[view];
   if (loading.peek().status === "loaded") return;
   try {
-    loading.value = { status: "loaded", ...(await files[view]()) };
+    loading.value = asking(view, await files[view]());
   } catch {}
 }
 
@@ -84,8 +88,14 @@ export async function load(view: LazyView, store: Store) {
     ]);
     // First the core: what is shown of the view already has its answers.
     if (engine) store.useEngine(engine);
-    loading.value = { status: "loaded", ...loaded };
+    loading.value = asking(view, loaded);
   } catch (error) {
     loading.value = { status: "failed", reason: String(error) };
   }
+}
+
+/** The loaded view, whose questions are asked from now on. */
+function asking(view: LazyView, loaded: LoadedView): Loading {
+  if (loaded.asks) asksOf.value = { ...asksOf.peek(), [view]: loaded.asks };
+  return { status: "loaded", ...loaded };
 }

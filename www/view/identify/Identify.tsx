@@ -20,6 +20,8 @@ import "../parts/examples.css";
 import "../parts/result.css";
 import "./identify.css";
 
+export { askedOfIdentify } from "./asked.ts";
+
 export function Identify({ store }: { store: Store }) {
   const kept = useMemo(() => keptAnswer(store), [store]);
   const answer = kept.value;

@@ -14,6 +14,7 @@ import "../parts/examples.css";
 import "../parts/fold.css";
 import "../parts/result.css";
 import "../parts/text_field.css";
+import { askedOfNumbers } from "./asked.ts";
 import "./numbers.css";
 
 type Asked = Pick<PageState, "numbers" | "beside">;
@@ -64,7 +65,7 @@ export function NumbersFold({ store }: { store: Store }) {
 
 function Numbers({ store }: { store: Store }) {
   const state = store.state.value;
-  const answer = store.numbers.value;
+  const answer = store.beside(askedOfNumbers).value;
   const problems = answer?.status === "problems" ? answer.problems : [];
   const answerId = useId();
   const field = (name: keyof Asked, of: Field) => (
@@ -182,7 +183,7 @@ function Readings({ store, report }: { store: Store; report: NumbersReport }) {
 
 /** What a screen reader hears when the answer changes; nothing where nothing is asked. */
 export function spokenNumbers(store: Store): string {
-  const answer = store.numbers.value;
+  const answer = store.beside(askedOfNumbers).value;
   if (answer?.status === "numbers") return sentenceOf(store, answer);
   if (answer?.status !== "problems") return "";
   return answer.problems.map(words.spokenProblem).join(" ");

@@ -49,7 +49,7 @@ export function Sheet({
   };
   // A question that is being answered becomes an observation at its place: one list, so that the
   // field keeps the focus.
-  const cards = [...observations, ...(question ? [question.probe] : [])];
+  const cards = [...observations, ...(question ? [question.probe as Probe] : [])];
   return (
     <section class="sheet" aria-labelledby="sheet-name">
       <header class="sheet-head">

@@ -30,6 +30,8 @@ import { Why, WhyNumbers } from "./Why.tsx";
 import "../parts/result.css";
 import "./translate.css";
 
+export { askedOfTranslate } from "./asked.ts";
+
 export function Translate({ store }: { store: Store }) {
   const { digits } = store.state.value;
   const shownResult = store.translate.value;

@@ -64,6 +64,7 @@ const lazyBudgets: Record<string, number> = {
   "quatlas_bg.wasm": 288_020,
   "save.js": 7_780,
   "service_worker.js": 4_410,
+  "whole_notes.js": 1_240,
 };
 
 const firstParts = ["index.html", "index.js", "preact.js", "quatlas_small_bg.wasm"];

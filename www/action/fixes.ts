@@ -16,7 +16,7 @@ import { announce } from "../state/announcement.ts";
 import type { Store } from "../state/store.ts";
 import { namedConventions } from "../values.ts";
 import { lettersOf, symbolOf } from "../words/conventions.ts";
-import { doneWords, fixWords, remedyWords } from "../words/parts/notes.tsx";
+import { doneWords, fixWords, wholeWords } from "../words/parts/notes.tsx";
 import { read } from "./read_on.ts";
 
 export interface Fix {
@@ -74,7 +74,7 @@ export function choicesOfProblem(store: Store, field: Field): Fix[] {
 
 const writing = (
   name: TextName,
-  { remedy, text, label = remedyWords[remedy] }: Suggestion,
+  { remedy, text, label = wholeWords.there?.remedyWords[remedy] ?? remedy }: Suggestion,
 ): Fix => ({
   label,
   text,
@@ -91,7 +91,11 @@ export function fixesOfNote(store: Store, note: Note): Fix[] {
     const fix = writing(name, suggestion);
     if (fact.kind !== "far-from-unit" || suggestion.remedy !== "as-quaternion") return fix;
     // That says it all, without the same numbers once more.
-    return { ...fix, label: fixWords.ofNorm(fact.norm), text: undefined };
+    return {
+      ...fix,
+      label: wholeWords.there?.aQuaternion(fact.norm) ?? fix.label,
+      text: undefined,
+    };
   });
   return [...ownFixes(store, note, name), ...offered];
 }

@@ -1,13 +1,13 @@
 // What the core of the first load cannot read is read by the whole one.
 import { effect } from "@preact/signals";
 import { inPlace } from "../dom/hold.ts";
-import { loadWholeEngine } from "../engine.ts";
 import type { Store } from "../state/store.ts";
+import { loadWhole } from "./whole_core.ts";
 
 /** Answers with the whole core from now on, once it is there. It never throws. */
 export async function readOn(store: Store) {
   store.wholeCore.value = "awaited";
-  const engine = await loadWholeEngine().catch(() => undefined);
+  const engine = await loadWhole().catch(() => undefined);
   inEditedPlace(() => {
     if (engine) store.useEngine(engine);
     else store.wholeCore.value = "missing";

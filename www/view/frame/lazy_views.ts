@@ -1,7 +1,8 @@
 // The views that are not in the first load. Each is a file of its own, and most ask the whole core.
 import { type Signal, signal } from "@preact/signals";
 import type { VNode } from "preact";
-import { type Engine, loadSmallEngine, loadWholeEngine } from "../../engine.ts";
+import { loadWhole } from "../../action/whole_core.ts";
+import { type Engine, loadSmallEngine } from "../../engine.ts";
 import { smallViews, type View } from "../../model/page_state.ts";
 import { type Asks, asksOf, type Store } from "../../state/store.ts";
 
@@ -60,7 +61,7 @@ function needsWholeCore(view: View): boolean {
 /** The core that a view begins with. Its file comes beside it, so that it stands there with the first result. */
 export async function beginWith(view: View): Promise<Engine> {
   const [engine] = await Promise.all([
-    needsWholeCore(view) ? loadWholeEngine() : loadSmallEngine(),
+    needsWholeCore(view) ? loadWhole() : loadSmallEngine(),
     isLazy(view) ? loadFile(view) : undefined,
   ]);
   return engine;
@@ -84,7 +85,7 @@ export async function load(view: LazyView, store: Store) {
   try {
     const [loaded, engine] = await Promise.all([
       files[view](),
-      needsWholeCore(view) ? loadWholeEngine() : undefined,
+      needsWholeCore(view) ? loadWhole() : undefined,
     ]);
     // First the core: what is shown of the view already has its answers.
     if (engine) store.useEngine(engine);

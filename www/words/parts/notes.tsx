@@ -1,15 +1,12 @@
 // What is said of an input, and what the buttons that fix it are called.
 import type { ComponentChildren } from "preact";
 import type {
-  BesideQuantity,
   ComponentOrder,
   Direction,
-  FoundInText,
   Handedness,
   Note,
   OrderSource,
   OutOfRangeNumber,
-  Remedy,
 } from "../../engine.ts";
 import type { Digits, Unit } from "../../model/page_state.ts";
 import { shown, shownRoughAngle } from "../../number/format.ts";
@@ -43,53 +40,14 @@ const directionWords: Record<Direction, string> = {
 
 const productNames: Record<Handedness, string> = { right: "Hamilton", left: "JPL" };
 
-const quantities: Record<BesideQuantity, string> = { position: "position", scale: "scale" };
-
-const quotedLabel = (label: string | undefined) =>
-  label === undefined ? null : (
-    <>
-      {" "}
-      (<q>{label}</q>)
-    </>
-  );
-
-const numbersOf = (numbers: readonly number[]) => (
-  <code>{numbers.map((number) => shown(number, "all")).join(" ")}</code>
-);
-
-/** What stands around the rotation in a text, and where that puts the body. */
-function foundWords({ format, label, beside }: FoundInText): ComponentChildren {
-  return (
-    <>
-      {format === undefined ? <>Found in the text</> : <>Found in a text of {format}</>}
-      {quotedLabel(label)}
-      {beside.map(({ quantity, label: own, numbers, bodyInWorld }) => (
-        <>
-          ; {quantities[quantity]}
-          {quotedLabel(own)} {numbersOf(numbers)}
-          {bodyInWorld !== undefined && !areSame(numbers, bodyInWorld) && (
-            <>, which puts the body at {numbersOf(bodyInWorld)} in the world</>
-          )}
-        </>
-      ))}
-      .
-    </>
-  );
-}
-
-/** Whether two lists of numbers are the same. */
-const areSame = (one: readonly number[], other: readonly number[]) =>
-  one.every((number, at) => number === other[at]);
-
 /** A number of two or three digits, for a sentence. */
-const rough = (number: number, precision = 2) =>
+export const rough = (number: number, precision = 2) =>
   shown(Number(number.toPrecision(precision)), "all");
 
 const roughDegrees = (degrees: number) => shownRoughAngle(degrees, "degrees", 2);
 
-/** The first thing that numbers of such a norm may be; absent where a double cannot hold it. */
-const aQuaternion = (norm: number | undefined) =>
-  `A quaternion of norm ${norm === undefined ? "beyond a double" : rough(norm, 3)}`;
+/** The words of what the whole core alone tells; they come with it. */
+export const wholeWords: { there?: typeof import("./whole_notes.tsx") } = {};
 
 /** What there is to know, as one plain line. */
 export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): ComponentChildren {
@@ -102,13 +60,6 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
         <>
           The norm is <code>{shown(fact.norm, digits === "4" ? "6" : digits)}</code>, off from 1 by{" "}
           <code>{rough(fact.deviation)}</code>: the matrices use {symbol}/|{symbol}|.
-        </>
-      );
-    case "far-from-unit":
-      return (
-        <>
-          {aQuaternion(fact.norm)}? Or a point, an axis and an angle, a position with a yaw or a
-          time?
         </>
       );
     case "rotation-assumed":
@@ -127,37 +78,6 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
             {directionWords[fact.direction]}
           </strong>
           , which is not what is declared; the text wins.
-        </>
-      );
-    case "found-in-text":
-      return foundWords(fact);
-    case "second-description":
-      return (
-        <>
-          The text holds the rotation a second time{quotedLabel(fact.label)}: the two agree within{" "}
-          <code>{shownRoughAngle(fact.differsByDeg, unit, 2)}</code>.
-        </>
-      );
-    case "descriptions-disagree":
-      return (
-        <>
-          The text holds another rotation{quotedLabel(fact.label)},{" "}
-          <code>{shownRoughAngle(fact.differsByDeg, unit)}</code> away from the one that was read:{" "}
-          <code>{fact.text}</code>
-        </>
-      );
-    case "format-assumed":
-      return (
-        <>
-          Nothing names these numbers: read as a row of <strong>{fact.format}</strong>, as which
-          they pass.
-        </>
-      );
-    case "said-elsewhere":
-      return (
-        <>
-          The text also says <q>{fact.words}</q>: if that is said of these numbers, it is{" "}
-          <strong>{fact.what}</strong>, which was not used.
         </>
       );
     case "order-from-text":
@@ -216,13 +136,6 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
           <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
         </>
       );
-    case "columns-from-text":
-      return (
-        <>
-          The text says that these are columns. As rows they are the inverse rotation,{" "}
-          <code>{shownRoughAngle(fact.rowsDifferByDeg, unit)}</code> away.
-        </>
-      );
     case "nearest-rotation":
       return (
         <>
@@ -278,6 +191,8 @@ export function noteWords({ field, fact }: Note, digits: Digits, unit: Unit): Co
       );
     case "out-of-range":
       return outOfRange[fact.what];
+    default:
+      return wholeWords.there?.wholeNoteWords(fact, unit);
   }
 }
 
@@ -292,7 +207,6 @@ export const fixWords = {
   columns: "Read column by column",
   rows: "Read row by row",
   nearestRotation: "Write the nearest rotation",
-  ofNorm: aQuaternion,
 };
 
 /** What is heard of a note that stops the reader. */
@@ -300,31 +214,6 @@ export const spokenStop = (symbol: string, words: string) => `Check ${symbol}: $
 
 /** What was done, for those who do not see it. */
 export const doneWords = (label: string) => `Done: ${label}.`;
-
-/** What the buttons beside a problem are called. */
-export const remedyWords: Record<Remedy, string> = {
-  "match-brackets": "Fix the brackets",
-  "decimal-points": "Write decimal points",
-  "plain-characters": "Write plain characters",
-  "remove-mark": "Remove the mark",
-  "attach-sign": "Join the sign to its number",
-  "separate-numbers": "Separate the numbers",
-  "add-sign": "Add the sign",
-  "add-zeros": "Write 0 for what is missing",
-  "name-number": "Name the number",
-  "same-unit": "Write the unit",
-  "write-zero": "Write 0",
-  "write-identity": "Write the identity",
-  "restore-axis": "Flip the axis",
-  "nearest-rotation": "Write the nearest rotation",
-  "as-quaternion": "A quaternion",
-  "as-axis-angle": "Axis and angle",
-  "as-yaw": "Position and yaw",
-  "as-euler-angles": "Euler angles",
-  "this-rotation": "Read this one",
-  "with-sequence": "Write the sequence",
-  "other-order": "Read the other order",
-};
 
 export const fixKey = "Alt+Enter";
 

@@ -65,7 +65,9 @@ export const HAMILTON_SCALAR_LAST: Convention = Object.freeze(named.hamiltonScal
  * The answer to a request: a report with notes, or the problems of its texts.
  *
  * What is typed never throws: a text that cannot be read comes back as `status: "problems"`, each
- * with a code, a span in UTF-16 units, what was expected and what to try. A `TypeError` says that
+ * with a code, a span in UTF-16 units, what was expected and what to try. Every text may also be a
+ * number, a list of them (an array or a `Float64Array`) or rows of them: they are read as they would be
+ * typed, `[0, 0, 0.6, 0.8]`, and a span points into that. A `TypeError` says that
  * the request is not of its type: a member that is missing, of another kind, or not known. What a
  * getter of the request throws is passed on.
  *

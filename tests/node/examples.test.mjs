@@ -1,0 +1,76 @@
+// The examples in the documentation of the package, run as they stand: `expression; // value: words`.
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+
+const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const folder = new URL("../../www/package/", import.meta.url);
+const sources = readdirSync(folder)
+  .filter((name) => name.endsWith(".ts"))
+  .map((name) => readFileSync(new URL(name, folder), "utf8"));
+
+/** Each export with the lines of its example. */
+const examples = sources.flatMap((source) =>
+  [...source.matchAll(/@example\n((?: \*.*\n)+?) \*\/\nexport (?:const|function) (\w+)/g)].map(
+    ([, text, name]) => [name, text.split("\n").map((line) => line.replace(/^ \* ?/, ""))],
+  ),
+);
+
+/** The value before the words of a comment; nothing where it begins with none. */
+function toldIn(comment) {
+  for (let words = comment; words !== ""; words = words.slice(0, words.lastIndexOf(":"))) {
+    try {
+      return { value: new Function(`"use strict"; return (${words});`)() };
+    } catch {}
+    if (!words.includes(":")) return undefined;
+  }
+}
+
+/** Equal but for digits that the comment does not show. */
+function isEqual(told, found) {
+  if (typeof told !== "number") {
+    const isList = Array.isArray(told) && Array.isArray(found) && told.length === found.length;
+    if (isList) return told.every((value, at) => isEqual(value, found[at]));
+    try {
+      assert.deepEqual(found, told);
+      return true;
+    } catch {
+      return false;
+    }
+  }
+  if (Number.isInteger(told)) return told === found;
+  const decimals = `${told}`.split(".")[1].length;
+  return Math.abs(told - found) <= 0.5000001 * 10 ** -decimals;
+}
+
+for (const [name, lines] of examples) {
+  test(`the example of ${name} is true`, () => {
+    const told = [];
+    const script = lines.map((line) => {
+      const [, expression, comment] = line.match(/^([^/\s].*?); \/\/ (.*)$/) ?? [];
+      const value = comment === undefined ? undefined : toldIn(comment);
+      if (value === undefined || /^(const|let) /.test(expression)) return line;
+      told.push({ expression, ...value });
+      return `found.push(${expression});`;
+    });
+    const found = [];
+    new Function("found", ...Object.keys(quatlas), `"use strict"; ${script.join("\n")}`)(
+      found,
+      ...Object.values(quatlas),
+    );
+    assert.ok(told.length > 0, "it asserts nothing");
+    for (const [at, { expression, value }] of told.entries()) {
+      assert.ok(isEqual(value, found[at]), `${expression} is ${JSON.stringify(found[at])}`);
+    }
+  });
+}
+
+test("every function of the package has an example", () => {
+  const named = examples.map(([name]) => name);
+  const functions = Object.keys(quatlas).filter((name) => typeof quatlas[name] === "function");
+  assert.deepEqual(
+    functions.filter((name) => !named.includes(name)),
+    [],
+  );
+});

@@ -99,6 +99,10 @@ pub use analyze::identify::recognition::{
 pub use analyze::identify::standard_probes;
 pub use analyze::translate::describe_library;
 pub use contract::probe::{MatrixLayout, Probe, ProbeKind};
+#[cfg(feature = "whole")]
+pub use contract::request::{
+    AtlasRequest, BetweenRequest, ChainFactor, ChainRequest, SwingTwistRequest,
+};
 pub use contract::request::{
     ComposeRequest, IdentifyRequest, MatricesRequest, NumbersRequest, ReadRequest, Request,
     TranslateRequest,
@@ -138,6 +142,7 @@ pub use rotation::rotation_vector::{
     AxisVector, compose_rotation_vectors, half_angle_exponential, left_jacobian,
     left_jacobian_inverse, right_jacobian, right_jacobian_inverse,
 };
+pub use rotation::swing_twist::SwingTwist;
 pub use rotation::tagged_matrix::{ROTATION_TOLERANCE, TaggedMatrix};
 pub use rotation::{NoRotation, Rotation};
 pub use text::description::{

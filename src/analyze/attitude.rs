@@ -277,30 +277,7 @@ impl Attitude {
     }
 
     pub(crate) fn column(&self, convention: Convention, vector: Vector3<f64>) -> Column {
-        let quaternion = self.tagged.to_convention(convention);
-        let unit = self.rotation.to_tagged(convention);
-        let direction = convention.operator();
-        let shown =
-            |tagged: &TaggedQuaternion| Components::of(&tagged.components, convention.order);
-        let matrix = self.rotation.matrix(direction);
-        Column {
-            convention,
-            quaternion: shown(&quaternion),
-            unit: shown(&unit),
-            conjugate: shown(&quaternion.conjugate()),
-            inverse: quaternion.inverse().as_ref().map(shown),
-            matrix: rows3(&matrix),
-            inverse_matrix: rows3(&matrix.transpose()),
-            image: self
-                .rotation
-                .rotate_within_range(vector, direction)
-                .as_ref()
-                .map(coordinates),
-            left_product_matrix: rows4(&quaternion.left_product_matrix()),
-            right_product_matrix: rows4(&quaternion.right_product_matrix()),
-            rules: rules(convention),
-            named: convention.named(),
-        }
+        column(&self.tagged, &self.rotation, convention, vector)
     }
 
     pub(crate) fn paired(&self, convention: MatrixConvention) -> PairedMatrix {
@@ -310,6 +287,55 @@ impl Attitude {
             form: self.declared.cosine_matrix(convention),
         }
     }
+}
+
+/// One attitude in one convention, by a quaternion of it of any norm.
+fn column(
+    tagged: &TaggedQuaternion,
+    rotation: &Rotation,
+    convention: Convention,
+    vector: Vector3<f64>,
+) -> Column {
+    let quaternion = tagged.to_convention(convention);
+    let unit = rotation.to_tagged(convention);
+    let direction = convention.operator();
+    let shown = |tagged: &TaggedQuaternion| Components::of(&tagged.components, convention.order);
+    let matrix = rotation.matrix(direction);
+    Column {
+        convention,
+        quaternion: shown(&quaternion),
+        unit: shown(&unit),
+        conjugate: shown(&quaternion.conjugate()),
+        inverse: quaternion.inverse().as_ref().map(shown),
+        matrix: rows3(&matrix),
+        inverse_matrix: rows3(&matrix.transpose()),
+        image: rotation
+            .rotate_within_range(vector, direction)
+            .as_ref()
+            .map(coordinates),
+        left_product_matrix: rows4(&quaternion.left_product_matrix()),
+        right_product_matrix: rows4(&quaternion.right_product_matrix()),
+        rules: rules(convention),
+        named: convention.named(),
+    }
+}
+
+/// The same where nothing is asked of a vector.
+#[cfg(feature = "whole")]
+pub(crate) fn column_alone(
+    tagged: &TaggedQuaternion,
+    rotation: &Rotation,
+    convention: Convention,
+) -> Column {
+    let mut column = column(tagged, rotation, convention, Vector3::zeros());
+    column.image = None;
+    column
+}
+
+/// The column of an attitude that was computed, of norm 1.
+#[cfg(feature = "whole")]
+pub(crate) fn computed_column(rotation: &Rotation, convention: Convention) -> Column {
+    column_alone(&rotation.to_tagged(convention), rotation, convention)
 }
 
 /// That this unit was assumed, with the texts that say it.

@@ -27,7 +27,7 @@ pub(crate) fn compose(request: &ComposeRequest) -> Result<ComposeReport, Vec<Pro
     let declared = Declared::plain(request.convention, request.matrix);
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);
-    let vector = TypedVector::of_text(&request.vector);
+    let vector = TypedVector::of_text(&request.vector, Field::Vector);
     let (p, q, vector) = match (p, q, vector) {
         (Ok(p), Ok(q), Ok(vector)) => (p, q, vector),
         (p, q, vector) => {

@@ -4,8 +4,20 @@
 //! rotation, and written back in the conventions of the answer. Any step may
 //! stop with problems; nothing is thrown and nothing is printed.
 
+// One attitude in all conventions.
+#[cfg(feature = "whole")]
+pub(crate) mod atlas;
+
 // A text to an attitude, and the attitude to numbers in a convention.
 mod attitude;
+
+// From one attitude to another.
+#[cfg(feature = "whole")]
+pub(crate) mod between;
+
+// Many attitudes one after the other.
+#[cfg(feature = "whole")]
+pub(crate) mod chain;
 
 // A library's line of code, with numbers.
 mod code_line;
@@ -55,6 +67,10 @@ mod record_numbers;
 #[cfg(feature = "whole")]
 mod record_told;
 
+// A turn about an axis, and the rest.
+#[cfg(feature = "whole")]
+pub(crate) mod swing_twist;
+
 /// From one end of a translation to the other.
 pub mod translate;
 
@@ -65,11 +81,19 @@ mod said_elsewhere;
 // The text of a vector.
 mod vector;
 
+#[cfg(feature = "whole")]
+use crate::analyze::atlas::atlas;
+#[cfg(feature = "whole")]
+use crate::analyze::between::between;
+#[cfg(feature = "whole")]
+use crate::analyze::chain::chain;
 use crate::analyze::compose::compose;
 use crate::analyze::identify::identify;
 use crate::analyze::identify::matrix_library::identify_matrices;
 use crate::analyze::numbers::numbers;
 use crate::analyze::read::read;
+#[cfg(feature = "whole")]
+use crate::analyze::swing_twist::swing_twist;
 use crate::analyze::translate::translate;
 use crate::contract::request::Request;
 use crate::contract::{Outcome, Problems};
@@ -106,6 +130,18 @@ pub fn analyze(request: &Request) -> Outcome {
             .map_err(|problem| vec![problem]),
         Request::Numbers(request) => {
             numbers(request).map(|report| Outcome::Numbers(Box::new(report)))
+        }
+        #[cfg(feature = "whole")]
+        Request::Between(request) => {
+            between(request).map(|report| Outcome::Between(Box::new(report)))
+        }
+        #[cfg(feature = "whole")]
+        Request::Chain(request) => chain(request).map(|report| Outcome::Chain(Box::new(report))),
+        #[cfg(feature = "whole")]
+        Request::Atlas(request) => atlas(request).map(|report| Outcome::Atlas(Box::new(report))),
+        #[cfg(feature = "whole")]
+        Request::SwingTwist(request) => {
+            swing_twist(request).map(|report| Outcome::SwingTwist(Box::new(report)))
         }
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))

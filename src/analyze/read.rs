@@ -12,7 +12,7 @@ use crate::problem::{Field, Problem};
 pub(crate) fn read(request: &ReadRequest) -> Result<ReadReport, Vec<Problem>> {
     let declared = Declared::plain(request.convention, request.matrix);
     let attitude = Attitude::of_text(&request.quaternion, Field::Quaternion, declared);
-    let vector = TypedVector::of_text(&request.vector);
+    let vector = TypedVector::of_text(&request.vector, Field::Vector);
     let (attitude, vector) = match (attitude, vector) {
         (Ok(attitude), Ok(vector)) => (attitude, vector),
         (attitude, vector) => {

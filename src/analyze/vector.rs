@@ -19,8 +19,7 @@ pub(crate) struct TypedVector {
 
 impl TypedVector {
     /// The vector that a text holds, or its first problem with what to write instead.
-    pub(crate) fn of_text(text: &str) -> Result<Self, Problem> {
-        let field = Field::Vector;
+    pub(crate) fn of_text(text: &str, field: Field) -> Result<Self, Problem> {
         #[cfg(feature = "whole")]
         let known = in_known_notation(text);
         #[cfg(feature = "whole")]

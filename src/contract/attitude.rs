@@ -191,7 +191,7 @@ pub struct Column {
     pub matrix: [[f64; 3]; 3],
     /// Its inverse, which is its transpose.
     pub inverse_matrix: [[f64; 3]; 3],
-    /// `matrix` times `v`; absent where a double cannot hold it.
+    /// `matrix` times `v`; absent where a double cannot hold it, and where nothing is asked of a vector.
     pub image: Option<[f64; 3]>,
     /// The matrix L of `q∘p = L p` for `quaternion` with its norm, on arrays in this column's order
     /// (Yoosefian 2021, eqs. 7 and 13).

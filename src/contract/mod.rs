@@ -4,8 +4,20 @@
 //! absent, and a [`Note`] says so. A matrix is a list of its rows, and multiplies a column from the
 //! left.
 
+// One attitude in all conventions.
+#[cfg(feature = "whole")]
+mod atlas;
+
 // One attitude in the report.
 mod attitude;
+
+// From one attitude to another.
+#[cfg(feature = "whole")]
+mod between;
+
+// Many attitudes one after the other.
+#[cfg(feature = "whole")]
+mod chain;
 
 // What stands around a rotation in a text.
 #[cfg(feature = "whole")]
@@ -29,19 +41,31 @@ pub mod probe;
 /// What is asked.
 pub mod request;
 
+// A turn about an axis, and the rest.
+#[cfg(feature = "whole")]
+mod swing_twist;
+
 // What is typed.
 mod text;
 
 // What a translation answers.
 mod translation;
 
+#[cfg(feature = "whole")]
+pub use crate::contract::atlas::*;
 pub use crate::contract::attitude::*;
+#[cfg(feature = "whole")]
+pub use crate::contract::between::*;
+#[cfg(feature = "whole")]
+pub use crate::contract::chain::*;
 #[cfg(feature = "whole")]
 pub use crate::contract::found::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::matrices::*;
 pub use crate::contract::note::*;
 pub use crate::contract::numbers::*;
+#[cfg(feature = "whole")]
+pub use crate::contract::swing_twist::*;
 pub use crate::contract::text::*;
 pub use crate::contract::translation::*;
 use crate::convention::{Convention, Direction};
@@ -65,6 +89,18 @@ pub enum Outcome {
     Numbers(Box<NumbersReport>),
     /// The answer to a [`Request::Matrices`](crate::Request::Matrices).
     Matrices(MatricesReport),
+    /// The answer to a [`Request::Between`](crate::Request::Between).
+    #[cfg(feature = "whole")]
+    Between(Box<BetweenReport>),
+    /// The answer to a [`Request::Chain`](crate::Request::Chain).
+    #[cfg(feature = "whole")]
+    Chain(Box<ChainReport>),
+    /// The answer to a [`Request::Atlas`](crate::Request::Atlas).
+    #[cfg(feature = "whole")]
+    Atlas(Box<AtlasReport>),
+    /// The answer to a [`Request::SwingTwist`](crate::Request::SwingTwist).
+    #[cfg(feature = "whole")]
+    SwingTwist(Box<SwingTwistReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -208,23 +244,25 @@ impl Outcome {
     #[must_use]
     pub fn in_utf16(self, text_of: impl Fn(Field, usize) -> String) -> Self {
         match self {
-            Self::Problems(problems) => {
-                Self::Problems(problems.in_utf16(|field| text_of(field, 0)))
-            }
+            Self::Problems(problems) => Self::Problems(problems.in_utf16(text_of)),
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
             Self::Read(_)
             | Self::Compose(_)
             | Self::Translate(_)
             | Self::Numbers(_)
             | Self::Matrices(_) => self,
+            #[cfg(feature = "whole")]
+            Self::Between(_) | Self::Chain(_) | Self::Atlas(_) | Self::SwingTwist(_) => self,
         }
     }
 }
 
 impl Problems {
-    pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field) -> String) -> Self {
+    pub(crate) fn in_utf16(mut self, text_of: impl Fn(Field, usize) -> String) -> Self {
         for problem in &mut self.problems {
-            problem.span = problem.span.in_utf16(&text_of(problem.field));
+            problem.span = problem
+                .span
+                .in_utf16(&text_of(problem.field, problem.at.into()));
         }
         self
     }

@@ -26,6 +26,18 @@ pub enum Request {
     Numbers(NumbersRequest),
     /// Which convention does a library of matrices use?
     Matrices(MatricesRequest),
+    /// How do these two differ, and what is between them?
+    #[cfg(feature = "whole")]
+    Between(BetweenRequest),
+    /// What do all these make together?
+    #[cfg(feature = "whole")]
+    Chain(ChainRequest),
+    /// What is this attitude in all conventions?
+    #[cfg(feature = "whole")]
+    Atlas(AtlasRequest),
+    /// What of this attitude is a turn about this axis?
+    #[cfg(feature = "whole")]
+    SwingTwist(SwingTwistRequest),
 }
 
 /// One attitude and one vector.
@@ -59,6 +71,87 @@ pub struct ComposeRequest {
     /// What four numbers of either are declared to mean.
     pub convention: Convention,
     /// What nine numbers of either are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+}
+
+/// Two attitudes, and a part of the way between them.
+#[cfg(feature = "whole")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BetweenRequest {
+    /// Where the way begins; as an error is taken, the estimate.
+    pub p: Text,
+    /// Where it ends.
+    pub q: Text,
+    /// What four numbers of either are declared to mean; its perturbation says on which axes the error is.
+    pub convention: Convention,
+    /// What nine numbers of either are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+    /// The sequence of the Euler angles in the answer; intrinsic ZYX where it is left out.
+    #[serde(default)]
+    pub euler: EulerSequence,
+    /// The part of the way, a number: 0 is p, 1 is q; half of it where it is left out or empty.
+    #[serde(default)]
+    pub part: Text,
+}
+
+/// Many attitudes, multiplied from left to right.
+#[cfg(feature = "whole")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ChainRequest {
+    /// The factors from left to right; from JavaScript from one to 32.
+    pub factors: Vec<ChainFactor>,
+    /// What four numbers of each are declared to mean, and which product is taken.
+    pub convention: Convention,
+    /// What nine numbers of each are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+    /// The sequence of the Euler angles in the answer; intrinsic ZYX where it is left out.
+    #[serde(default)]
+    pub euler: EulerSequence,
+}
+
+/// One factor of a chain.
+#[cfg(feature = "whole")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ChainFactor {
+    /// The attitude, in any accepted form.
+    pub text: Text,
+    /// Whether its inverse stands in the chain.
+    #[serde(default)]
+    pub inverse: bool,
+}
+
+/// One attitude, to be written in all conventions.
+#[cfg(feature = "whole")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AtlasRequest {
+    /// The attitude, in any accepted form.
+    pub quaternion: Text,
+    /// What four numbers are declared to mean.
+    pub convention: Convention,
+    /// What nine numbers are declared to mean; body to world where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+}
+
+/// One attitude and the axis of a twist.
+#[cfg(feature = "whole")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SwingTwistRequest {
+    /// The attitude, in any accepted form.
+    pub quaternion: Text,
+    /// The axis: three numbers of any length but zero, or `x`, `y`, `z`.
+    pub axis: Text,
+    /// What four numbers are declared to mean.
+    pub convention: Convention,
+    /// What nine numbers are declared to mean; body to world where it is left out.
     #[serde(default)]
     pub matrix: MatrixConvention,
 }

@@ -122,6 +122,7 @@ impl Fault {
         Problem {
             code: self.code,
             field,
+            at: 0,
             span: self.span,
             message: self.message,
             expected: self.expected,

@@ -58,6 +58,15 @@ pub enum Field {
     Yawed,
     /// The matrix that an observed library printed of two turns.
     Product,
+    /// The part of the way between two attitudes.
+    #[cfg(feature = "whole")]
+    Part,
+    /// A factor of a chain; [`Problem::at`] says which.
+    #[cfg(feature = "whole")]
+    Factor,
+    /// The axis of a twist.
+    #[cfg(feature = "whole")]
+    Axis,
 }
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
@@ -240,6 +249,10 @@ pub struct Problem {
     pub code: ProblemCode,
     /// The text it is about.
     pub field: Field,
+    /// The place of that text among several of its kind, such as factors, from 0 to 255; else 0.
+    #[serde(default)]
+    #[cfg_attr(not(feature = "whole"), serde(skip))]
+    pub at: u8,
     /// Where in that text: bytes in Rust, UTF-16 units in JavaScript.
     pub span: Span,
     /// What is wrong, in one sentence; without the feature `whole` it is empty, as are the next two.

@@ -30,6 +30,9 @@ pub mod quaternion;
 /// Rotation vectors: composition, Jacobians, and their relatives.
 pub mod rotation_vector;
 
+/// A turn about a given axis, and the rest.
+pub mod swing_twist;
+
 /// Nine numbers with the convention that says what they mean.
 pub mod tagged_matrix;
 

@@ -188,6 +188,17 @@ impl<'r> Members<'r> {
         self.name_of(&value, name)
     }
 
+    /// Whether the member is true; it is not where it is undefined.
+    #[cfg(feature = "whole")]
+    pub(crate) fn is_set(&self, name: &str) -> Typed<bool> {
+        let value = self.value(name)?;
+        if value.is_undefined() {
+            return Ok(false);
+        }
+        let chosen = value.as_bool();
+        chosen.ok_or_else(|| not_of_kind(&value, &self.path_to(name), "true or false"))
+    }
+
     /// One of those that serde knows, by its name.
     pub(crate) fn named<Choice: DeserializeOwned>(&self, name: &str) -> Typed<Choice> {
         named(&self.value(name)?, &self.path_to(name))

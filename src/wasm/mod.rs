@@ -3,6 +3,10 @@
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
 
+// The requests of several attitudes, and of one in all its parts, from JavaScript.
+#[cfg(feature = "whole")]
+mod attitude_request;
+
 // The requests that need the table of libraries, from JavaScript.
 #[cfg(feature = "libraries")]
 mod library_request;
@@ -51,11 +55,33 @@ use {
     crate::wasm::request::{COMPOSE, READ},
 };
 
+#[cfg(feature = "whole")]
+use {
+    crate::analyze::{atlas::atlas, between::between, chain::chain, swing_twist::swing_twist},
+    crate::wasm::attitude_request::{
+        ATLAS, BETWEEN, CHAIN, SWING_TWIST, atlas_request, between_request, chain_request,
+        swing_twist_request,
+    },
+};
+
 /// The tags of a request and of an outcome.
 const VIEW: &str = "view";
 const STATUS: &str = "status";
 
-#[cfg(feature = "libraries")]
+#[cfg(feature = "whole")]
+const VIEWS: [&str; 10] = [
+    "read",
+    "compose",
+    "translate",
+    "identify",
+    "numbers",
+    "matrices",
+    "between",
+    "chain",
+    "atlas",
+    "swing-twist",
+];
+#[cfg(all(feature = "libraries", not(feature = "whole")))]
 const VIEWS: [&str; 6] = [
     "read",
     "compose",
@@ -66,6 +92,23 @@ const VIEWS: [&str; 6] = [
 ];
 #[cfg(not(feature = "libraries"))]
 const VIEWS: [&str; 2] = ["read", "compose"];
+
+/// The members of all requests.
+#[cfg(feature = "whole")]
+const KNOWN: [&[&str]; 10] = [
+    &READ,
+    &COMPOSE,
+    &TRANSLATE,
+    &IDENTIFY,
+    &NUMBERS,
+    &MATRICES,
+    &BETWEEN,
+    &CHAIN,
+    &ATLAS,
+    &SWING_TWIST,
+];
+#[cfg(all(feature = "libraries", not(feature = "whole")))]
+const KNOWN: [&[&str]; 6] = [&READ, &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS, &MATRICES];
 
 /// What the alias of Rust, which is another one in each build, is in TypeScript.
 #[wasm_bindgen(typescript_custom_section)]
@@ -131,14 +174,14 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
     match &*view {
         "read" => {
             let request = read_request(&members)?;
-            answer(&view, read(&request), &texts, |field| match field {
+            answer(&view, read(&request), &texts, &|field, _| match field {
                 Field::Vector => &request.vector,
                 _ => &request.quaternion,
             })
         }
         "compose" => {
             let request = compose_request(&members)?;
-            answer(&view, compose(&request), &texts, |field| match field {
+            answer(&view, compose(&request), &texts, &|field, _| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
                 _ => &request.vector,
@@ -147,13 +190,18 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "translate" => {
             let request: TranslateRequest = translate_request(&members)?;
-            answer(&view, translate(&request), &texts, |field| match field {
-                Field::WorldAxes => &request.world_axes,
-                Field::BodyAxes => &request.body_axes,
-                Field::From => id_of(&request.from),
-                Field::To => id_of(&request.to),
-                _ => &request.quaternion,
-            })
+            answer(
+                &view,
+                translate(&request),
+                &texts,
+                &|field, _| match field {
+                    Field::WorldAxes => &request.world_axes,
+                    Field::BodyAxes => &request.body_axes,
+                    Field::From => id_of(&request.from),
+                    Field::To => id_of(&request.to),
+                    _ => &request.quaternion,
+                },
+            )
         }
         #[cfg(feature = "libraries")]
         "identify" => {
@@ -168,7 +216,7 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         "matrices" => {
             let request = matrices_request(&members)?;
             let answered = identify_matrices(&request).map_err(|problem| vec![problem]);
-            answer(&view, answered, &texts, |field| match field {
+            answer(&view, answered, &texts, &|field, _| match field {
                 Field::A => &request.a,
                 Field::B => &request.b,
                 Field::Product => &request.product,
@@ -181,8 +229,38 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         #[cfg(feature = "libraries")]
         "numbers" => {
             let request = numbers_request(&members)?;
-            answer(&view, numbers(&request), &texts, |field| match field {
+            answer(&view, numbers(&request), &texts, &|field, _| match field {
                 Field::Numbers => &request.numbers,
+                _ => &request.quaternion,
+            })
+        }
+        #[cfg(feature = "whole")]
+        "between" => {
+            let request = between_request(&members)?;
+            answer(&view, between(&request), &texts, &|field, _| match field {
+                Field::P => &request.p,
+                Field::Q => &request.q,
+                _ => &request.part,
+            })
+        }
+        #[cfg(feature = "whole")]
+        "chain" => {
+            let request = chain_request(&members)?;
+            answer(&view, chain(&request), &texts, &|_, at| {
+                request.factors.get(at).map_or("", |factor| &factor.text)
+            })
+        }
+        #[cfg(feature = "whole")]
+        "atlas" => {
+            let request = atlas_request(&members)?;
+            answer(&view, atlas(&request), &texts, &|_, _| &request.quaternion)
+        }
+        #[cfg(feature = "whole")]
+        "swing-twist" => {
+            let request = swing_twist_request(&members)?;
+            let answered = swing_twist(&request);
+            answer(&view, answered, &texts, &|field, _| match field {
+                Field::Axis => &request.axis,
                 _ => &request.quaternion,
             })
         }
@@ -200,17 +278,7 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     #[cfg(feature = "libraries")]
     if named.is_undefined() {
         // A misspelt `view` is told before it is missed.
-        members.only(
-            &[
-                &READ[..],
-                &COMPOSE,
-                &TRANSLATE,
-                &IDENTIFY,
-                &NUMBERS,
-                &MATRICES,
-            ]
-            .concat(),
-        )?;
+        members.only(&KNOWN.concat())?;
     }
     let named = word(&named, VIEW)?;
     match asked {
@@ -221,26 +289,39 @@ fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
     }
 }
 
+/// The text of a field of a request, of the one at a place where there are several.
+type TextOf<'request> = &'request dyn Fn(Field, usize) -> &'request str;
+
 /// A report, or problems that count the units of the texts they point into.
-fn answer<'request>(
+fn answer(
     view: &str,
     answered: Result<impl Serialize, Vec<Problem>>,
     texts: &Texts,
-    text_of: impl Fn(Field) -> &'request str,
+    text_of: TextOf<'_>,
 ) -> Typed<JsValue> {
     match answered {
         Ok(report) => with_status(view, &report),
-        Err(problems) => {
-            let Problems { problems } =
-                Problems { problems }.in_utf16(|field| text_of(field).to_owned());
-            let mut whole = Vec::new();
-            for problem in problems {
-                let member = member_of(problem.field);
-                whole.push(texts.of_whole_text(problem, member, MAX_TEXT_BYTES));
-            }
-            with_status("problems", &Problems { problems: whole })
-        }
+        Err(problems) => with_status("problems", &of_texts(problems, texts, text_of)),
     }
+}
+
+/// The problems, with spans in the units of JavaScript.
+fn of_texts(problems: Vec<Problem>, texts: &Texts, text_of: TextOf<'_>) -> Problems {
+    let Problems { problems } =
+        Problems { problems }.in_utf16(|field, at| text_of(field, at).to_owned());
+    let mut whole = Vec::new();
+    for problem in problems {
+        let member = member_of(problem.field);
+        #[cfg(feature = "whole")]
+        let factor = format!("{member}[{}].text", problem.at);
+        #[cfg(feature = "whole")]
+        let member = match problem.field {
+            Field::Factor => &*factor,
+            _ => member,
+        };
+        whole.push(texts.of_whole_text(problem, member, MAX_TEXT_BYTES));
+    }
+    Problems { problems: whole }
 }
 
 #[cfg(feature = "libraries")]

@@ -71,7 +71,7 @@ pub(crate) fn matrix(request: &Members<'_>) -> Typed<MatrixConvention> {
     })
 }
 
-fn euler(request: &Members<'_>) -> Typed<EulerSequence> {
+pub(crate) fn euler(request: &Members<'_>) -> Typed<EulerSequence> {
     let Some(members) = request.object_if_any("euler")? else {
         return Ok(EulerSequence::default());
     };

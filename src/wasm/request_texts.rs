@@ -61,7 +61,10 @@ impl Texts {
         };
         if problem.code == ProblemCode::TextTooLong {
             let fault = Fault::text_too_long(whole.span, whole.bytes, most_bytes);
-            return fault.in_field(problem.field);
+            return Problem {
+                at: problem.at,
+                ..fault.in_field(problem.field)
+            };
         }
         Problem {
             span: whole.span,
@@ -140,5 +143,11 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Numbers => "numbers",
         Field::Yawed => "yawed",
         Field::Product => "product",
+        #[cfg(feature = "whole")]
+        Field::Part => "part",
+        #[cfg(feature = "whole")]
+        Field::Axis => "axis",
+        #[cfg(feature = "whole")]
+        Field::Factor => "factors",
     }
 }

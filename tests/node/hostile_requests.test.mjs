@@ -81,6 +81,35 @@ const good = {
     rotationVector: "0.01 0 0",
     printed: "0 -1 0 1 0 0 0 0 1",
   }),
+  between: () => ({
+    view: "between",
+    p: "1 0 0 0",
+    q: "0.8 0 0 0.6",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+    euler: { axes: "zyx", frame: "intrinsic" },
+    part: "0.5",
+  }),
+  chain: () => ({
+    view: "chain",
+    factors: [{ text: "0.8 0 0 0.6", inverse: true }],
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+    euler: { axes: "zyx", frame: "intrinsic" },
+  }),
+  atlas: () => ({
+    view: "atlas",
+    quaternion: "0 0 0.6 0.8",
+    convention: { ...JPL },
+    matrix: { function: "passive", direction: "body-to-world" },
+  }),
+  "swing-twist": () => ({
+    view: "swing-twist",
+    quaternion: "0.8 0 0 0.6",
+    axis: "0 0 1",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+  }),
 };
 
 function checkGoodCall() {
@@ -171,6 +200,7 @@ test("a value of another type is named at every member", () => {
           if (value === null && /^(order|direction)$/.test(name) && place.kind === "library")
             continue;
           if (Array.isArray(value) && /^(observations|unavailable)$/.test(name)) continue;
+          if (value === true && name === "inverse") continue;
           // Numbers stand in place of every text that is not a name.
           const isName = /^(view|probe|id|kind|name|language|layout|.+Axes)$/.test(name);
           const isText = typeof place[name] === "string" && !isName && !("order" in place);
@@ -188,7 +218,7 @@ test("a value of another type is named at every member", () => {
 
 test("a member that is missing is named, unless it may be", () => {
   const optional =
-    /^(matrix|euler|worldAxes|bodyAxes|order|direction|name|language|unavailable|layout)$/;
+    /^(matrix|euler|worldAxes|bodyAxes|order|direction|name|language|unavailable|layout|part|inverse)$/;
   const optionalIn = { numbers: /^quaternion$/, matrices: /^(?!view$)/ };
   for (const view of views) {
     for (const [at, { object, path }] of [...objectsIn(good[view]())].entries()) {

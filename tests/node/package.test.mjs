@@ -51,10 +51,16 @@ test("import and require give the same instance", () => {
     "JPL_BODY_TO_WORLD",
     "MY_LAB",
     "analyze",
+    "atlas",
+    "between",
+    "chain",
+    "compose",
     "identify",
     "identifyMatrices",
     "identifyNumbers",
     "libraries",
+    "read",
+    "swingTwist",
     "translate",
   ]);
   assert.equal(quatlas.analyze, required.analyze);

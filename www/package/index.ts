@@ -1,6 +1,14 @@
 // The npm package's door: the core with its wasm inside, ready when the import is.
 import {
+  type AtlasReport,
+  type AtlasRequest,
   analyze as analyzeInCore,
+  type BetweenReport,
+  type BetweenRequest,
+  type ChainReport,
+  type ChainRequest,
+  type ComposeReport,
+  type ComposeRequest,
   type Convention,
   type IdentifyReport,
   type IdentifyRequest,
@@ -13,7 +21,11 @@ import {
   type Outcome,
   type Problems,
   presets,
+  type ReadReport,
+  type ReadRequest,
   type Request,
+  type SwingTwistReport,
+  type SwingTwistRequest,
   startAnew,
   type TranslateReport,
   type TranslateRequest,
@@ -177,6 +189,129 @@ export function identifyMatrices(
   request: MatricesRequest,
 ): ({ status: "matrices" } & MatricesReport) | ({ status: "problems" } & Problems) {
   return answer(request, "matrices") as ReturnType<typeof identifyMatrices>;
+}
+
+/**
+ * What one attitude means: its numbers in the declared convention, as Hamilton and as JPL, the matrix, the
+ * turn and the Euler angles.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // x y z w of a JPL filter, world to body: a quarter turn about z
+ * const { jpl, hamilton } = read({ quaternion: "0 0 √½ √½", vector: "1 0 0", convention: JPL });
+ * jpl.image; // [0, -1, 0]: the world's x axis lies along the body's −y
+ * hamilton.image; // [0, 1, 0]: and the body's x axis along the world's y
+ */
+export function read(
+  request: ReadRequest,
+): ({ status: "read" } & ReadReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "read") as ReturnType<typeof read>;
+}
+
+/**
+ * What two attitudes make together: p∘q in the declared convention, and both products in both orders.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // i and j: ij = k in Hamilton's product, and −k in JPL's
+ * const { products } = compose({ p: "i", q: "j", vector: "1 0 0", convention: HAMILTON });
+ * products[0].quaternion.z; // 1, of p ⊙ q
+ * products[2].quaternion.z; // -1, of p ⊗ q
+ */
+export function compose(
+  request: ComposeRequest,
+): ({ status: "compose" } & ComposeReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "compose") as ReturnType<typeof compose>;
+}
+
+/**
+ * How two attitudes differ: what the texts are to each other, the turn from p to q on the axes of the body
+ * and of the world, the error quaternion with its side, three distances, and the way from one to the other.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // The log of one program beside that of another, which has the scalar last.
+ * const { verdict } = between({ p: "0.5 0.1 0.7 0.5", q: "0.1 0.7 0.5 0.5", convention: HAMILTON });
+ * verdict; // "scalar-moved"
+ *
+ * // An estimate and the truth, a quarter of the way: 20° of 80° about z, on the axes of the body.
+ * const { local, way, jpl } = between({
+ *   p: "10deg about z",
+ *   q: "90deg about z",
+ *   convention: HAMILTON,
+ *   part: "1/4",
+ * });
+ * Math.round(local.angleDeg); // 80
+ * Math.round(2 * Math.acos(way.unit.w) * (180 / Math.PI)); // 30
+ * jpl.rules.increment; // "left": q = δq ⊗ p
+ */
+export function between(
+  request: BetweenRequest,
+): ({ status: "between" } & BetweenReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "between") as ReturnType<typeof between>;
+}
+
+/**
+ * The product of up to 32 attitudes, from left to right in the declared convention, each as it is or
+ * inverted, and the attitude in the middle of them.
+ *
+ * What is typed never throws, see `analyze`. A problem of a factor tells its place in `at`.
+ *
+ * @example
+ * // A camera on a body: where it points, from the body in the world and the camera on the body.
+ * const { turn, jpl } = chain({
+ *   factors: [{ text: "30deg about z" }, { text: "10deg about z", inverse: true }],
+ *   convention: HAMILTON,
+ * });
+ * Math.round(turn.angleDeg); // 20
+ * jpl.rules.operator; // "world-to-body": there the factors stand in reverse, and none is conjugated
+ */
+export function chain(
+  request: ChainRequest,
+): ({ status: "chain" } & ChainReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "chain") as ReturnType<typeof chain>;
+}
+
+/**
+ * One attitude in the 8 conventions of product, function and direction, each in both orders: which of these
+ * arrays is mine, and what does it multiply on which side?
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * const { rows, sameAs } = atlas({ quaternion: "0.8 0 0 0.6", convention: HAMILTON });
+ * rows[4].convention.handedness; // "left": JPL's product, body to world
+ * rows[4].quaternion.array; // [0.8, 0, 0, -0.6]: the conjugate
+ * sameAs[5]; // 0: JPL, world to body, has Hamilton's numbers
+ */
+export function atlas(
+  request: AtlasRequest,
+): ({ status: "atlas" } & AtlasReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "atlas") as ReturnType<typeof atlas>;
+}
+
+/**
+ * One attitude as a turn about an axis and a swing that has none: heading and tilt.
+ *
+ * What is typed never throws, see `analyze`.
+ *
+ * @example
+ * // The heading is not the yaw angle where the body is tilted.
+ * const { twistDeg, swing } = swingTwist({
+ *   quaternion: "yaw 65 pitch 20 roll -35 deg",
+ *   axis: "z",
+ *   convention: HAMILTON,
+ * });
+ * twistDeg.toFixed(2); // "71.36"
+ * swing.angleDeg.toFixed(2); // "39.67"
+ */
+export function swingTwist(
+  request: SwingTwistRequest,
+): ({ status: "swing-twist" } & SwingTwistReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "swing-twist") as ReturnType<typeof swingTwist>;
 }
 
 /** The value, in which nothing can be changed: one record serves all who ask for it. */

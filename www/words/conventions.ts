@@ -31,6 +31,9 @@ export const symbolOf: Record<Field, string> = {
   numbers: "numbers",
   yawed: "yawed",
   product: "product",
+  part: "t",
+  factor: "factor",
+  axis: "axis",
 };
 
 /** The four numbers in an order. */

@@ -1,0 +1,144 @@
+//! From one attitude to another: what they are to each other, the turn between, and the way.
+
+use crate::analyze::attitude::{Attitude, Declared, computed_column};
+use crate::analyze::describe::{euler, turn};
+use crate::analyze::plain_numbers::plain;
+use crate::contract::request::BetweenRequest;
+use crate::contract::{BetweenReport, Form, Verdict};
+use crate::convention::{Convention, Perturbation};
+use crate::problem::{Field, Problem};
+use crate::rotation::Rotation;
+use crate::rotation::quaternion::TaggedQuaternion;
+use crate::text::parse_number;
+
+/// Two attitudes nearer than this are one, rounded: four decimals are off by half as much each.
+const SAME_RAD: f64 = 2e-4;
+
+pub(crate) fn between(request: &BetweenRequest) -> Result<BetweenReport, Vec<Problem>> {
+    let declared = Declared::plain(request.convention, request.matrix);
+    let p = Attitude::of_text(&request.p, Field::P, declared);
+    let q = Attitude::of_text(&request.q, Field::Q, declared);
+    let part = part(&request.part);
+    let (p, q, part) = match (p, q, part) {
+        (Ok(p), Ok(q), Ok(part)) => (p, q, part),
+        (p, q, part) => {
+            let mut problems = Vec::new();
+            problems.extend(p.err());
+            problems.extend(q.err());
+            problems.extend(part.err());
+            return Err(problems);
+        }
+    };
+    let local = p.rotation.turn_to(&q.rotation);
+    let global = q.rotation * p.rotation.inverse();
+    let error = match request.convention.perturbation {
+        Perturbation::Local => &local,
+        Perturbation::Global => &global,
+    };
+    let perturbed = |preset: Convention| {
+        let perturbation = request.convention.perturbation;
+        let convention = Convention {
+            perturbation,
+            ..preset
+        };
+        computed_column(error, convention)
+    };
+    let shorter = p.rotation.shorter_quaternion_distance(&q.rotation);
+    let typed = p.rotation.quaternion_distance(&q.rotation);
+    let longer = 2.0 * libm::cos(local.angle_rad() / 4.0);
+    let at = |part: f64| {
+        let way = p.rotation.slerp(&q.rotation, part).unwrap_or(p.rotation);
+        computed_column(&way, p.tagged.convention)
+    };
+    let p_euler = euler(&p.rotation, request.euler);
+    let q_euler = euler(&q.rotation, request.euler);
+    let mut differences = q_euler.angles_deg;
+    for (difference, subtracted) in differences.iter_mut().zip(p_euler.angles_deg) {
+        *difference = shorter_way_deg(*difference - subtracted);
+    }
+    let mut notes = p.notes(Field::P);
+    notes.extend(q.notes(Field::Q));
+    Ok(BetweenReport {
+        verdict: verdict(&p, &q),
+        local: turn(&local),
+        global: turn(&global),
+        declared: computed_column(error, p.tagged.convention),
+        hamilton: perturbed(Convention::HAMILTON),
+        jpl: perturbed(Convention::JPL),
+        chordal_distance: plain(p.rotation.chordal_distance(&q.rotation)),
+        quaternion_distance: plain(typed),
+        negated_quaternion_distance: plain(if typed > shorter { shorter } else { longer }),
+        part,
+        way: at(part),
+        halfway: at(0.5),
+        p_euler,
+        q_euler,
+        euler_differences_deg: differences,
+        notes,
+        p: p.as_read(),
+        q: q.as_read(),
+    })
+}
+
+/// The part that a text holds; half of the way where it is empty.
+fn part(text: &str) -> Result<f64, Problem> {
+    if text.is_empty() {
+        return Ok(0.5);
+    }
+    parse_number(text)
+        .map(plain)
+        .map_err(|fault| fault.in_field(Field::Part))
+}
+
+/// The same difference of angles above −180 and up to 180 degrees.
+fn shorter_way_deg(difference: f64) -> f64 {
+    let difference = plain(difference);
+    if difference > 180.0 {
+        difference - 360.0
+    } else if difference <= -180.0 {
+        difference + 360.0
+    } else {
+        difference
+    }
+}
+
+fn verdict(p: &Attitude, q: &Attitude) -> Verdict {
+    let is_q = |rotation: &Rotation| rotation.angle_to_rad(&q.rotation) <= SAME_RAD;
+    let are_quaternions = p.form == Form::Quaternion && q.form == Form::Quaternion;
+    if is_q(&p.rotation) {
+        // Of other descriptions the sign is not theirs.
+        let is_opposite = are_quaternions && p.rotation.quaternion_distance(&q.rotation) > 1.0;
+        return if is_opposite {
+            Verdict::Opposite
+        } else {
+            Verdict::Equal
+        };
+    }
+    if is_q(&p.rotation.inverse()) {
+        return Verdict::Conjugated;
+    }
+    if are_quaternions {
+        // The scalar went from one end to the other, of p or of q.
+        let moved = [(scalar_moved(p), q.rotation), (scalar_moved(q), p.rotation)];
+        for (moved, other) in moved {
+            if moved.angle_to_rad(&other) <= SAME_RAD {
+                return Verdict::ScalarMoved;
+            }
+            if moved.inverse().angle_to_rad(&other) <= SAME_RAD {
+                return Verdict::ScalarMovedAndConjugated;
+            }
+        }
+    }
+    Verdict::Different
+}
+
+/// The attitude of the same array, read in the other order.
+fn scalar_moved(attitude: &Attitude) -> Rotation {
+    let convention = attitude.tagged.convention;
+    let other = Convention {
+        order: convention.order.other(),
+        ..convention
+    };
+    let moved = TaggedQuaternion::from_array(attitude.tagged.to_array(), other);
+    Rotation::from_tagged(&moved).unwrap_or(attitude.rotation)
+}

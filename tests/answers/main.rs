@@ -1,0 +1,10 @@
+//! What the requests of attitudes answer, against the golden cases and against other formulas.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod atlas;
+mod between;
+mod chain;
+mod golden;
+mod swing_twist;

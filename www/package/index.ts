@@ -217,8 +217,8 @@ export function read(
  * @example
  * // i and j: ij = k in Hamilton's product, and −k in JPL's
  * const { products } = compose({ p: "i", q: "j", vector: "1 0 0", convention: HAMILTON });
- * products[0].quaternion.z; // 1, of p ⊙ q
- * products[2].quaternion.z; // -1, of p ⊗ q
+ * products[0].quaternion.z; // 1: of p ⊙ q
+ * products[2].quaternion.z; // -1: of p ⊗ q
  */
 export function compose(
   request: ComposeRequest,

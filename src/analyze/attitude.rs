@@ -196,6 +196,22 @@ impl Attitude {
         })
     }
 
+    /// The attitude of a rotation that is computed, as a quaternion of norm 1.
+    #[cfg(feature = "whole")]
+    pub(crate) fn of_rotation(rotation: Rotation, declared: Convention) -> Self {
+        Self {
+            form: Form::Quaternion,
+            parsed: None,
+            unit: None,
+            row_marks: None,
+            meanings: Suggestions::default(),
+            declared,
+            tagged: rotation.to_tagged(declared),
+            rotation,
+            told: Vec::new(),
+        }
+    }
+
     fn of_quaternion(
         parsed: ParsedQuaternion,
         declared: Convention,

@@ -28,6 +28,14 @@ pub(crate) mod compose;
 /// What a convention is called and does, and a rotation in the representations that need no text.
 pub mod describe;
 
+// Names of frames.
+#[cfg(feature = "whole")]
+mod frame_names;
+
+// Poses between named frames.
+#[cfg(feature = "whole")]
+pub(crate) mod frames;
+
 /// Which convention a library uses.
 pub mod identify;
 
@@ -88,6 +96,8 @@ use crate::analyze::between::between;
 #[cfg(feature = "whole")]
 use crate::analyze::chain::chain;
 use crate::analyze::compose::compose;
+#[cfg(feature = "whole")]
+use crate::analyze::frames::frames;
 use crate::analyze::identify::identify;
 use crate::analyze::identify::matrix_library::identify_matrices;
 use crate::analyze::numbers::numbers;
@@ -143,6 +153,8 @@ pub fn analyze(request: &Request) -> Outcome {
         Request::SwingTwist(request) => {
             swing_twist(request).map(|report| Outcome::SwingTwist(Box::new(report)))
         }
+        #[cfg(feature = "whole")]
+        Request::Frames(request) => Ok(Outcome::Frames(Box::new(frames(request)))),
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

@@ -23,6 +23,10 @@ mod chain;
 #[cfg(feature = "whole")]
 mod found;
 
+// What follows from poses between frames.
+#[cfg(feature = "whole")]
+pub(crate) mod frames;
+
 // What an identification answers.
 pub(crate) mod identification;
 
@@ -60,6 +64,8 @@ pub use crate::contract::between::*;
 pub use crate::contract::chain::*;
 #[cfg(feature = "whole")]
 pub use crate::contract::found::*;
+#[cfg(feature = "whole")]
+pub use crate::contract::frames::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::matrices::*;
 pub use crate::contract::note::*;
@@ -101,6 +107,9 @@ pub enum Outcome {
     /// The answer to a [`Request::SwingTwist`](crate::Request::SwingTwist).
     #[cfg(feature = "whole")]
     SwingTwist(Box<SwingTwistReport>),
+    /// The answer to a [`Request::Frames`](crate::Request::Frames); problems of its texts are in it.
+    #[cfg(feature = "whole")]
+    Frames(Box<FramesReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -240,12 +249,20 @@ pub struct Product {
 
 impl Outcome {
     /// The same outcome with every span counted in UTF-16 units of the text it points into: the text
-    /// of a field, of the observation at a place where there are several.
+    /// of a field, of the observation at a place where there are several. Of [`Outcome::Frames`] 0 is
+    /// the question, and 1 the first of the poses.
     #[must_use]
     pub fn in_utf16(self, text_of: impl Fn(Field, usize) -> String) -> Self {
         match self {
             Self::Problems(problems) => Self::Problems(problems.in_utf16(text_of)),
             Self::Identify(report) => Self::Identify(Box::new(report.in_utf16(text_of))),
+            #[cfg(feature = "whole")]
+            Self::Frames(report) => {
+                let of_pose = |field, at: usize| text_of(field, at + 1);
+                Self::Frames(Box::new(
+                    report.in_utf16(of_pose, |field| text_of(field, 0)),
+                ))
+            }
             Self::Read(_)
             | Self::Compose(_)
             | Self::Translate(_)

@@ -339,4 +339,7 @@ pub enum OutOfRangeNumber {
     Image,
     /// The product of the quaternions as typed; the product of the unit quaternions is given.
     Product,
+    /// A position.
+    #[cfg(feature = "whole")]
+    Position,
 }

@@ -67,6 +67,21 @@ pub enum Field {
     /// The axis of a twist.
     #[cfg(feature = "whole")]
     Axis,
+    /// The name of the frame in which a pose is given or asked for.
+    #[cfg(feature = "whole")]
+    Parent,
+    /// The name of the frame whose pose it is.
+    #[cfg(feature = "whole")]
+    Child,
+    /// The rotation of a pose.
+    #[cfg(feature = "whole")]
+    Rotation,
+    /// The position of a pose.
+    #[cfg(feature = "whole")]
+    Position,
+    /// A point in the frame that is asked about.
+    #[cfg(feature = "whole")]
+    Point,
 }
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
@@ -223,6 +238,21 @@ pub enum ProblemCode {
     UnknownAxes,
     /// Axes of the other hand on one side only.
     OneSidedReflection,
+    /// A frame without a name.
+    #[cfg(feature = "whole")]
+    UnnamedFrame,
+    /// One frame where two are needed.
+    #[cfg(feature = "whole")]
+    SameFrame,
+    /// A name that no frame has.
+    #[cfg(feature = "whole")]
+    UnknownFrame,
+    /// Two frames between which nothing is known.
+    #[cfg(feature = "whole")]
+    FramesDoNotMeet,
+    /// More poses than are read.
+    #[cfg(feature = "whole")]
+    TooManyPoses,
 }
 
 impl ProblemCode {

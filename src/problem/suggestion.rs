@@ -104,4 +104,9 @@ pub enum Remedy {
     WithSequence,
     /// The numbers get the names that they have in the other order of components.
     OtherOrder,
+    /// A frame gets the name of another one: the text. Where it is one of several choices, the label is
+    /// the name that it has.
+    RenameFrame,
+    /// The pose of a frame, the text, in another one, the label, is added.
+    AddPose,
 }

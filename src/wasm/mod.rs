@@ -7,6 +7,10 @@
 #[cfg(feature = "whole")]
 mod attitude_request;
 
+// Poses between named frames, from JavaScript.
+#[cfg(feature = "whole")]
+mod frames_request;
+
 // The requests that need the table of libraries, from JavaScript.
 #[cfg(feature = "libraries")]
 mod library_request;
@@ -38,6 +42,13 @@ use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
+#[cfg(feature = "whole")]
+use {
+    crate::analyze::frames::frames,
+    crate::contract::FramesReport,
+    crate::contract::request::FramesRequest,
+    crate::wasm::frames_request::{FRAMES, frames_request},
+};
 #[cfg(feature = "libraries")]
 use {
     crate::analyze::identify::matrix_library::identify_matrices,
@@ -69,7 +80,7 @@ const VIEW: &str = "view";
 const STATUS: &str = "status";
 
 #[cfg(feature = "whole")]
-const VIEWS: [&str; 10] = [
+const VIEWS: [&str; 11] = [
     "read",
     "compose",
     "translate",
@@ -80,6 +91,7 @@ const VIEWS: [&str; 10] = [
     "chain",
     "atlas",
     "swing-twist",
+    "frames",
 ];
 #[cfg(all(feature = "libraries", not(feature = "whole")))]
 const VIEWS: [&str; 6] = [
@@ -95,7 +107,7 @@ const VIEWS: [&str; 2] = ["read", "compose"];
 
 /// The members of all requests.
 #[cfg(feature = "whole")]
-const KNOWN: [&[&str]; 10] = [
+const KNOWN: [&[&str]; 11] = [
     &READ,
     &COMPOSE,
     &TRANSLATE,
@@ -106,6 +118,7 @@ const KNOWN: [&[&str]; 10] = [
     &CHAIN,
     &ATLAS,
     &SWING_TWIST,
+    &FRAMES,
 ];
 #[cfg(all(feature = "libraries", not(feature = "whole")))]
 const KNOWN: [&[&str]; 6] = [&READ, &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS, &MATRICES];
@@ -264,6 +277,11 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
                 _ => &request.quaternion,
             })
         }
+        #[cfg(feature = "whole")]
+        "frames" => {
+            let request = frames_request(&members)?;
+            with_status(&view, &frames_of_whole_texts(&request, &texts))
+        }
         _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
     }
 }
@@ -339,6 +357,26 @@ fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
             let path = format!("observations[{at}].{}", member_of(found.problem.field));
             found.problem = texts.of_whole_text(found.problem.clone(), &path, LONGEST_TEXT_BYTES);
         }
+    }
+    report
+}
+
+#[cfg(feature = "whole")]
+fn frames_of_whole_texts(request: &FramesRequest, texts: &Texts) -> FramesReport {
+    let whole = |problem: &mut Problem, text: &str, path: &str| {
+        problem.span = problem.span.in_utf16(text);
+        let path = format!("{path}{}", member_of(problem.field));
+        *problem = texts.of_whole_text(problem.clone(), &path, LONGEST_TEXT_BYTES);
+    };
+    let mut report = frames(request);
+    for (at, pose) in report.poses.iter_mut().enumerate() {
+        for problem in &mut pose.problems {
+            let text = request.poses[at].text(problem.field);
+            whole(problem, text, &format!("poses[{at}]."));
+        }
+    }
+    for problem in &mut report.problems {
+        whole(problem, request.text(problem.field), "");
     }
     report
 }

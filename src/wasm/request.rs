@@ -61,14 +61,18 @@ pub(crate) fn convention(members: &Members<'_>) -> Typed<Convention> {
 }
 
 pub(crate) fn matrix(request: &Members<'_>) -> Typed<MatrixConvention> {
+    Ok(matrix_if_any(request)?.unwrap_or_default())
+}
+
+pub(crate) fn matrix_if_any(request: &Members<'_>) -> Typed<Option<MatrixConvention>> {
     let Some(members) = request.object_if_any("matrix")? else {
-        return Ok(MatrixConvention::default());
+        return Ok(None);
     };
     members.only(&["function", "direction"])?;
-    Ok(MatrixConvention {
+    Ok(Some(MatrixConvention {
         function: members.choice("function", Function::ALL, Function::name)?,
         direction: members.choice("direction", Direction::ALL, Direction::name)?,
-    })
+    }))
 }
 
 pub(crate) fn euler(request: &Members<'_>) -> Typed<EulerSequence> {

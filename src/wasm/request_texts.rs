@@ -149,5 +149,15 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Axis => "axis",
         #[cfg(feature = "whole")]
         Field::Factor => "factors",
+        #[cfg(feature = "whole")]
+        Field::Parent => "parent",
+        #[cfg(feature = "whole")]
+        Field::Child => "child",
+        #[cfg(feature = "whole")]
+        Field::Rotation => "rotation",
+        #[cfg(feature = "whole")]
+        Field::Position => "position",
+        #[cfg(feature = "whole")]
+        Field::Point => "point",
     }
 }

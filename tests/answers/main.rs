@@ -6,5 +6,6 @@ mod support;
 mod atlas;
 mod between;
 mod chain;
+mod frames;
 mod golden;
 mod swing_twist;

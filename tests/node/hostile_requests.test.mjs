@@ -97,6 +97,19 @@ const good = {
     matrix: { function: "passive", direction: "body-to-world" },
     euler: { axes: "zyx", frame: "intrinsic" },
   }),
+  frames: () => ({
+    view: "frames",
+    poses: [
+      { parent: "G", child: "I", rotation: "0.8 0 0 0.6", position: "1 2 3" },
+      { parent: "I", child: "C", rotation: "1 0 0 0", position: "" },
+    ],
+    child: "C",
+    parent: "G",
+    point: "",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+    euler: { axes: "zyx", frame: "intrinsic" },
+  }),
   atlas: () => ({
     view: "atlas",
     quaternion: "0 0 0.6 0.8",
@@ -199,10 +212,12 @@ test("a value of another type is named at every member", () => {
           // These are right: null as JSON has it, an empty list, any object in place of none.
           if (value === null && /^(order|direction)$/.test(name) && place.kind === "library")
             continue;
-          if (Array.isArray(value) && /^(observations|unavailable)$/.test(name)) continue;
+          if (Array.isArray(value) && /^(observations|unavailable|poses)$/.test(name)) continue;
           if (value === true && name === "inverse") continue;
           // Numbers stand in place of every text that is not a name.
-          const isName = /^(view|probe|id|kind|name|language|layout|.+Axes)$/.test(name);
+          const isName = /^(view|probe|id|kind|name|language|layout|parent|child|.+Axes)$/.test(
+            name,
+          );
           const isText = typeof place[name] === "string" && !isName && !("order" in place);
           if (isText && (typeof value === "number" || Array.isArray(value))) continue;
           place[name] = value;
@@ -219,7 +234,11 @@ test("a value of another type is named at every member", () => {
 test("a member that is missing is named, unless it may be", () => {
   const optional =
     /^(matrix|euler|worldAxes|bodyAxes|order|direction|name|language|unavailable|layout|part|inverse)$/;
-  const optionalIn = { numbers: /^quaternion$/, matrices: /^(?!view$)/ };
+  const optionalIn = {
+    numbers: /^quaternion$/,
+    matrices: /^(?!view$)/,
+    frames: /^(point|position)$/,
+  };
   for (const view of views) {
     for (const [at, { object, path }] of [...objectsIn(good[view]())].entries()) {
       for (const name of Array.isArray(object) ? [] : Object.keys(object)) {

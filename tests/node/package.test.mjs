@@ -55,6 +55,7 @@ test("import and require give the same instance", () => {
     "between",
     "chain",
     "compose",
+    "frames",
     "identify",
     "identifyMatrices",
     "identifyNumbers",

@@ -10,6 +10,8 @@ import {
   type ComposeReport,
   type ComposeRequest,
   type Convention,
+  type FramesReport,
+  type FramesRequest,
   type IdentifyReport,
   type IdentifyRequest,
   initSync,
@@ -312,6 +314,36 @@ export function swingTwist(
   request: SwingTwistRequest,
 ): ({ status: "swing-twist" } & SwingTwistReport) | ({ status: "problems" } & Problems) {
   return answer(request, "swing-twist") as ReturnType<typeof swingTwist>;
+}
+
+/**
+ * Where one frame stands in another, from what is known between named frames: the path and its poses, the
+ * answer in Hamilton's and JPL's product, the point that is asked for in every frame, and the loops that
+ * do not close.
+ *
+ * A pose takes coordinates in its child to coordinates in its parent, and so does the answer; any of them may be
+ * given the other way round. It always answers: what cannot be read is a problem in the report, at its pose.
+ *
+ * @example
+ * // A camera on a body that stands at (5, 0, 0), turned by 90° about z; the JPL filter writes G to I.
+ * const { answer, path } = frames({
+ *   poses: [
+ *     { parent: "G", child: "I", rotation: "0 0 √½ √½", position: [5, 0, 0] },
+ *     { parent: "C", child: "I", rotation: "0 0 0 1", position: [0, 0, -1] },
+ *   ],
+ *   child: "C",
+ *   parent: "G",
+ *   convention: JPL,
+ * });
+ * answer.position; // [5, 0, 1]
+ * answer.hamilton.matrix[1][0]; // 1: the axis x of the camera lies along y of G
+ * path; // [{ pose: 0, inverted: false, frame: 1 }, { pose: 1, inverted: true, frame: 2 }]
+ */
+export function frames(request: FramesRequest): FramesReport {
+  const { status: _, ...report } = answer(request, "frames") as {
+    status: "frames";
+  } & FramesReport;
+  return report;
 }
 
 /** The value, in which nothing can be changed: one record serves all who ask for it. */

@@ -34,6 +34,11 @@ export const symbolOf: Record<Field, string> = {
   part: "t",
   factor: "factor",
   axis: "axis",
+  parent: "parent",
+  child: "child",
+  rotation: "rotation",
+  position: "position",
+  point: "point",
 };
 
 /** The four numbers in an order. */

@@ -7,6 +7,10 @@ mod block;
 // Of Euler sequences and their frames.
 mod euler;
 
+// Of named frames and the poses between them.
+#[cfg(feature = "whole")]
+mod frames;
+
 // Of labels and comments.
 mod label;
 

@@ -24,6 +24,8 @@ pub(crate) fn keeps_numbers(text: &str, suggestion: &Suggestion) -> bool {
         | Remedy::WriteIdentity
         | Remedy::RestoreAxis
         | Remedy::NearestRotation => true,
+        // These are names.
+        Remedy::RenameFrame | Remedy::AddPose => true,
         Remedy::AddZeros => rewritten().starts_with(&typed()),
         Remedy::AsYaw | Remedy::ThisRotation => {
             let mut typed = typed().into_iter();

@@ -31,6 +31,7 @@ const outOfRange: Record<OutOfRangeNumber, string> = {
   inverse: "The inverse is beyond the range of a double and is left out.",
   image: "The rotated vector is beyond the range of a double and is left out.",
   product: "The product is beyond the range of a double: that of the unit quaternions is shown.",
+  position: "The position is beyond the range of a double and is left out.",
 };
 
 const directionWords: Record<Direction, string> = {

@@ -136,4 +136,6 @@ export const remedyWords: Record<Remedy, string> = {
   "this-rotation": "Read this one",
   "with-sequence": "Write the sequence",
   "other-order": "Read the other order",
+  "rename-frame": "Write this name",
+  "add-pose": "Add a row",
 };

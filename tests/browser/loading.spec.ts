@@ -16,9 +16,16 @@ import {
 /** Compressed bytes: what was measured, and 3 %. */
 const firstBudget = 177_500;
 const lazyBudgets: Record<string, number> = {
+  "Atlas.css": 390,
+  "Atlas.js": 1_640,
   "AxesPanel.js": 830,
+  "Between.css": 300,
+  "Between.js": 2_110,
+  "BetweenPicture.js": 550,
+  "Chain.css": 230,
+  "Chain.js": 1_740,
   "Compose.css": 1_550,
-  "Compose.js": 2_960,
+  "Compose.js": 3_350,
   "ComposePicture.css": 410,
   "ComposePicture.js": 1_490,
   "CopyMenu.css": 450,
@@ -40,9 +47,12 @@ const lazyBudgets: Record<string, number> = {
   "RulesList.js": 680,
   "SharePanel.css": 350,
   "SharePanel.js": 860,
+  "SwingTwist.js": 760,
   "Translate.css": 1_680,
   "Translate.js": 10_070,
   "apple_touch_icon.png": 3_140,
+  "asked.css": 390,
+  "asked.js": 600,
   "axes_panel.css": 360,
   "axes_panel.js": 310,
   "case_title.js": 1_670,
@@ -61,9 +71,10 @@ const lazyBudgets: Record<string, number> = {
   "offline.js": 630,
   "phrases.js": 220,
   "quatlas.js": 2_750,
-  "quatlas_bg.wasm": 288_020,
-  "save.js": 7_780,
-  "service_worker.js": 4_410,
+  "quatlas_bg.wasm": 311_440,
+  "save.js": 950,
+  "scene.js": 7_000,
+  "service_worker.js": 5_000,
   "whole_notes.js": 1_240,
 };
 
@@ -74,7 +85,7 @@ const goals = {
   "index.html": 16_000,
   "quatlas_small_bg.wasm": 118_000,
   // It reads whole blocks, and numbers that are to be identified; the formats as data are 9 kB of it.
-  "quatlas_bg.wasm": 290_000,
+  "quatlas_bg.wasm": 315_000,
 };
 /** All that is loaded until typing is answered. */
 const firstGoals = { gzip: 184_000, brotli: 163_000 };
@@ -116,7 +127,14 @@ function requested(page: Page): string[] {
 
 /** What follows the first result by itself: the picture, the folds, Compose, and what keeps the page for offline use. */
 const afterResult = [
-  ...["ReadPicture.js", "ComposePicture.js", "ComposePicture.css", "save.js", "case_title.js"],
+  ...[
+    "ReadPicture.js",
+    "ComposePicture.js",
+    "ComposePicture.css",
+    "scene.js",
+    "save.js",
+    "case_title.js",
+  ],
   ...["FoldedBody.js", "FoldedBody.css", "Compose.js", "Compose.css"],
   ...["AxesPanel.js", "axes_panel.js", "axes_panel.css", "RulesList.js", "RulesList.css"],
   ...["offline.js", "offline.css", "favicon.svg"],

@@ -22,6 +22,10 @@ const texts = {
   libraryName: "name",
   numbers: "numbers",
   beside: "beside",
+  open: "open",
+  part: "part",
+  factors: "factors",
+  axis: "axis",
   find: "find",
   library: "library",
 } as const satisfies Partial<Record<keyof PageState, string>>;

@@ -59,6 +59,14 @@ export interface PageState {
   numbers: string;
   /** The attitude beside them. */
   beside: string;
+  /** The folds that are open of those that ask the whole core, with commas between them. */
+  open: string;
+  /** The part of the way from p to q. */
+  part: string;
+  /** What is multiplied besides p and q, and what is inverted; see `factors.ts` of Compose. */
+  factors: string;
+  /** The axis of a twist. */
+  axis: string;
   /** How the picture is shown. */
   picture: PictureState;
   /** What the table of libraries is searched for. */
@@ -104,6 +112,10 @@ export const opening: PageState = {
   unavailable: [],
   numbers: "",
   beside: "",
+  open: "",
+  part: "0.5",
+  factors: "",
+  axis: "z",
   picture: firstPicture,
   find: "",
   library: "",

@@ -6,7 +6,7 @@
 import type { PageState, View } from "../model/page_state.ts";
 
 /** Parts of the state that say how to look at it: undo leaves them alone. */
-const looks = ["view", "digits", "unit", "picture"] as const satisfies (keyof PageState)[];
+const looks = ["view", "digits", "unit", "picture", "open"] as const satisfies (keyof PageState)[];
 type Look = (typeof looks)[number];
 export type Content = Omit<PageState, Look>;
 type Part = keyof Content;
@@ -135,7 +135,7 @@ function usualDoing(parts: readonly Part[]): string | undefined {
 
 const typed: ReadonlySet<Part> = new Set<Part>([
   ...(["quaternion", "p", "q", "vector", "translated", "worldAxes", "bodyAxes"] as const),
-  ...(["observations", "libraryName", "numbers", "beside", "find"] as const),
+  ...(["observations", "libraryName", "numbers", "beside", "find", "part", "axis"] as const),
 ]);
 
 /** What differs, in the order of the state. */

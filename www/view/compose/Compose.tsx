@@ -3,6 +3,7 @@ import type { ComposeReport } from "../../engine.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/compose/compose.tsx";
 import { AskRest } from "../parts/Ask.tsx";
+import { AskedFold } from "../parts/AskedFold.tsx";
 import { CarryLinks } from "../parts/CarryLinks.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { presetItself } from "../parts/convention_names.ts";
@@ -17,6 +18,9 @@ import { Road } from "./Road.tsx";
 import "../parts/fold.css";
 import "../parts/result.css";
 import "./compose.css";
+
+const loadBetween = () => import("./Between.tsx").then(({ Between }) => Between);
+const loadChain = () => import("./Chain.tsx").then(({ Chain }) => Chain);
 
 export { spokenProduct } from "./spoken.ts";
 
@@ -114,6 +118,8 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
           <Pair tied={tied} tie={words.tie} {...shownAs} />
         </details>
       ))}
+      <AskedFold store={store} name="between" summary={words.between} load={loadBetween} />
+      <AskedFold store={store} name="chain" summary={words.chain} load={loadChain} />
     </div>
   );
 }

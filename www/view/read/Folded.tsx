@@ -1,10 +1,13 @@
 // What few ask for, folded: a line each, and what they hold comes after the first result.
 import { waits } from "../../words/parts/later.ts";
 import * as words from "../../words/read/folded.ts";
+import { AskedFold } from "../parts/AskedFold.tsx";
 import { useLater } from "../parts/later.ts";
 import type { Given } from "./FoldedBody.tsx";
 import "../parts/fold.css";
 
+const loadAtlas = () => import("./Atlas.tsx").then(({ Atlas }) => Atlas);
+const loadSwingTwist = () => import("./SwingTwist.tsx").then(({ SwingTwist }) => SwingTwist);
 const loadBody = () => import("./FoldedBody.tsx").then(({ FoldedBody }) => FoldedBody);
 
 export function Folded(given: Given) {
@@ -21,6 +24,13 @@ export function Folded(given: Given) {
           )}
         </details>
       ))}
+      <AskedFold store={given.store} name="atlas" summary={words.asked.atlas} load={loadAtlas} />
+      <AskedFold
+        store={given.store}
+        name="swing-twist"
+        summary={words.asked["swing-twist"]}
+        load={loadSwingTwist}
+      />
     </section>
   );
 }

@@ -9,3 +9,9 @@ export const lines: Record<FoldedPart, string> = {
   paired: "The matrix as chosen beside q",
   tangents: "Gibbs vector and modified Rodrigues parameters",
 };
+
+/** Those that ask the whole core. */
+export const asked = {
+  atlas: "The same rotation in all 16 conventions: which of them is mine?",
+  "swing-twist": "Twist and swing about an axis",
+};

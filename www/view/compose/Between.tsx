@@ -1,0 +1,185 @@
+// How p and q differ: what they are to each other, the rotation between, and the way from one to the other.
+import { columnValues } from "../../copy/values.ts";
+import type { BetweenReport, Request } from "../../engine.ts";
+import { declaredConvention } from "../../model/conventions.ts";
+import { sequenceName } from "../../model/euler_sequence.ts";
+import type { PageState } from "../../model/page_state.ts";
+import {
+  fromDegrees,
+  fromRadians,
+  shownAngle,
+  shownAxis,
+  shownRoughAngle,
+} from "../../number/format.ts";
+import type { Store } from "../../state/store.ts";
+import * as words from "../../words/compose/between.tsx";
+import { wordsOf } from "../../words/conventions.ts";
+import { AskedText, ScalarRow, useAsked } from "../parts/asked.tsx";
+import { useLater } from "../parts/later.ts";
+import { ArrayRow } from "../parts/Value.tsx";
+import "./between.css";
+
+export function askedOfBetween(state: PageState): Request {
+  const { p, q, matrix, euler, part } = state;
+  return { view: "between", p, q, convention: declaredConvention(state), matrix, euler, part };
+}
+
+const loadPicture = () =>
+  import("../../picture/BetweenPicture.tsx").then(({ BetweenPicture }) => BetweenPicture);
+
+export function Between({ store }: { store: Store }) {
+  const { report, problems, old } = useAsked(store, askedOfBetween, "between");
+  const Picture = useLater(loadPicture);
+  const { part } = store.state.value;
+  const problem = problems.find(({ field }) => field === "part");
+  const move = (part: string) => store.set({ part }, { as: "part" });
+  return (
+    <section class="card asked" aria-label={words.title}>
+      {report === undefined ? (
+        <p class="asked-lead">{problem === undefined && words.unread}</p>
+      ) : (
+        <div class={`asked ${old}`}>
+          <p class="asked-sentence">{sentenceOf(store, report)}</p>
+          <Differences store={store} report={report} />
+        </div>
+      )}
+      <div class="between-way">
+        <div class="asked">
+          <h3>{words.way}</h3>
+          <div class="between-part">
+            <AskedText label={words.part} symbol="t" text={part} problem={problem} onInput={move} />
+            <input
+              type="range"
+              min={0}
+              max={1}
+              step={0.01}
+              aria-label={words.part}
+              value={report?.part ?? 0}
+              onInput={({ currentTarget }) => move(currentTarget.value)}
+            />
+          </div>
+          {report && (
+            <div class={old}>
+              <Way store={store} report={report} of="way" />
+              <Way store={store} report={report} of="halfway" />
+            </div>
+          )}
+        </div>
+        <div class="between-picture">
+          {report && typeof Picture !== "string" && <Picture store={store} report={report} />}
+        </div>
+      </div>
+    </section>
+  );
+}
+
+function sentenceOf(store: Store, { verdict, local, p, q }: BetweenReport): string {
+  const apart = shownRoughAngle(local.angleDeg, store.state.value.unit);
+  const areMatrices = p.form.kind === "matrix" && q.form.kind === "matrix";
+  return words.verdict(verdict, local.angleDeg === 0 ? undefined : apart, areMatrices);
+}
+
+function Differences({ store, report }: { store: Store; report: BetweenReport }) {
+  const { digits, unit } = store.state.value;
+  const { local, global, pEuler } = report;
+  const about = ({ axis, angleDeg, angleRad }: typeof local) =>
+    axis &&
+    words.turnAbout(
+      shownAngle({ degrees: angleDeg, radians: angleRad }, digits, unit),
+      shownAxis(axis, digits),
+    );
+  const angles = report.eulerDifferencesDeg.map((degrees) =>
+    unit === "degrees" ? degrees : fromDegrees(degrees).radians,
+  );
+  const { quaternionDistance, negatedQuaternionDistance } = report;
+  return (
+    <div class="asked-columns">
+      <div>
+        <h3>{words.turn}</h3>
+        {(
+          [
+            ["local", local],
+            ["global", global],
+          ] as const
+        ).map(([axes, turn]) => (
+          <ArrayRow
+            key={axes}
+            name={words.turnOn[axes]}
+            symbol={words.turnOn[axes]}
+            numbers={turn.rotationVectorRad}
+            digits={digits}
+            note={about(turn)}
+            value={{ kind: "rotation-vector", vectorRad: turn.rotationVectorRad }}
+          />
+        ))}
+        <h3>{words.error[report.declared.convention.perturbation]}</h3>
+        {(["hamilton", "jpl"] as const).map((preset) => {
+          const column = report[preset];
+          return (
+            <ArrayRow
+              key={preset}
+              name={words.errorIn(wordsOf[preset].name)}
+              symbol={words.errorOf(preset === "hamilton" ? "⊙" : "⊗", column.rules.increment)}
+              numbers={column.quaternion.array}
+              digits={digits}
+              note={`${wordsOf[preset].name} ${wordsOf[preset].order}`}
+              value={columnValues(column, store.engine.describe).quaternion}
+            />
+          );
+        })}
+      </div>
+      <div>
+        <h3>{words.distances}</h3>
+        <ScalarRow
+          store={store}
+          name={words.geodesic}
+          number={local.angleRad}
+          words={shownAngle(fromRadians(local.angleRad), digits, unit)}
+        />
+        <ScalarRow store={store} name={words.chordal} number={report.chordalDistance} />
+        <ScalarRow
+          store={store}
+          name="‖p − q‖"
+          number={quaternionDistance}
+          {...(quaternionDistance <= negatedQuaternionDistance && { note: words.nearer("q") })}
+        />
+        <ScalarRow
+          store={store}
+          name="‖p + q‖"
+          number={negatedQuaternionDistance}
+          {...(quaternionDistance > negatedQuaternionDistance && { note: words.nearer("−q") })}
+        />
+        <h3>{words.euler(sequenceName(pEuler.sequence))}</h3>
+        <ArrayRow
+          name={words.eulerDifference}
+          symbol={words.eulerDifference}
+          numbers={angles}
+          digits={digits}
+          note={words.noTurn(unit)}
+        />
+      </div>
+    </div>
+  );
+}
+
+function Way({
+  store,
+  report,
+  of,
+}: {
+  store: Store;
+  report: BetweenReport;
+  of: "way" | "halfway";
+}) {
+  const column = report[of];
+  const name = of === "way" ? words.at(report.part) : words.halfway;
+  return (
+    <ArrayRow
+      name={name}
+      symbol={name}
+      numbers={column.unit.array}
+      digits={store.state.value.digits}
+      value={columnValues(column, store.engine.describe).unit}
+    />
+  );
+}

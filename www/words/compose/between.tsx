@@ -1,0 +1,53 @@
+// The words of what is between p and q.
+import type { Side, Verdict } from "../../engine.ts";
+import type { Unit } from "../../model/page_state.ts";
+
+export const title = "Between p and q";
+export const unread = "Both texts have to be read first.";
+
+/** What p and q are to each other; without an angle they are exactly one rotation. */
+export function verdict(verdict: Verdict, apart: string | undefined, areMatrices: boolean): string {
+  const rest = apart === undefined ? "" : `, but for ${apart}`;
+  switch (verdict) {
+    case "equal":
+      return `p and q are one rotation${rest}.`;
+    case "opposite":
+      return `p and q are one rotation by opposite quaternions: q is −p${rest}.`;
+    case "conjugated":
+      return `q is the ${areMatrices ? "transpose" : "conjugate"} of p: the inverse rotation, ${apart} apart.`;
+    case "scalar-moved":
+      return `The same four numbers with w at the other end: as they are read, p and q are ${apart} apart.`;
+    case "scalar-moved-and-conjugated":
+      return `The same four numbers, conjugated and with w at the other end: as they are read, p and q are ${apart} apart.`;
+    case "different":
+      return `p and q are two rotations, ${apart} apart.`;
+  }
+}
+
+export const turn = "From p to q";
+export const turnOn = { local: "on the body's axes", global: "on the world's axes" };
+export const turnAbout = (angle: string, axis: string) => `rad · ${angle} about ${axis}`;
+/** By the axes of a small rotation. */
+export const error = {
+  local: "The error quaternion, on the body's axes",
+  global: "The error quaternion, on the world's axes",
+};
+export const errorIn = (convention: string) => `δq, ${convention}`;
+export const errorOf = (sign: string, side: Side) =>
+  side === "right" ? `q = p ${sign} δq` : `q = δq ${sign} p`;
+
+export const distances = "How far";
+export const geodesic = "angle (geodesic)";
+export const chordal = "chordal";
+export const nearer = (symbol: string) => `${symbol} is the nearer of q and −q`;
+export const euler = (sequence: string) => `Euler angles ${sequence}`;
+export const eulerDifference = "of q less those of p";
+export const noTurn = (unit: Unit) => `${unit}, by the shorter way round; no rotation`;
+
+export const way = "The way from p to q";
+export const part = "part t of the way";
+export const at = (part: number) => `at t = ${part}`;
+export const halfway = "half way, the mean";
+export const picture = "Picture of the way from p to q";
+export const pictureSays = (part: number) =>
+  `The body B at t = ${part}, between the outlines of p and q.`;

@@ -3,7 +3,7 @@
 import type { Page } from "@playwright/test";
 import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support/page.ts";
 
-const views = ["read", "compose", "translate", "identify", "libraries"] as const;
+const views = ["read", "compose", "frames", "translate", "identify", "libraries"] as const;
 
 async function open(page: Page, address: string) {
   await page.goto(`/#${address}`);

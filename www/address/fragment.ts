@@ -26,6 +26,7 @@ const texts = {
   part: "part",
   factors: "factors",
   axis: "axis",
+  frames: "frames",
   find: "find",
   library: "library",
 } as const satisfies Partial<Record<keyof PageState, string>>;

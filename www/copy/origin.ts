@@ -18,6 +18,8 @@ function textsOf(state: PageState): Record<string, string> {
   switch (state.view) {
     case "compose":
       return { p, q, vector, as, ...axes };
+    case "frames":
+      return { frames: state.frames, as, ...axes };
     case "translate":
       return { quaternion: translated, from: endToText(state.from), to: endToText(state.to) };
     default:

@@ -10,7 +10,7 @@ import type {
 } from "../engine.ts";
 import { firstPicture, type PictureState } from "./picture_state.ts";
 
-export const views = ["read", "compose", "translate", "identify", "libraries"] as const;
+export const views = ["read", "compose", "frames", "translate", "identify", "libraries"] as const;
 export type View = (typeof views)[number];
 /** The views that the core of the first load answers. */
 export const smallViews: readonly View[] = ["read", "compose"];
@@ -67,6 +67,8 @@ export interface PageState {
   factors: string;
   /** The axis of a twist. */
   axis: string;
+  /** What is asked of named frames, and the poses between them, as the Frames view writes it. */
+  frames: string;
   /** How the picture is shown. */
   picture: PictureState;
   /** What the table of libraries is searched for. */
@@ -116,6 +118,7 @@ export const opening: PageState = {
   part: "0.5",
   factors: "",
   axis: "z",
+  frames: "",
   picture: firstPicture,
   find: "",
   library: "",

@@ -11,7 +11,7 @@ import { dot, turned } from "./space.ts";
 export function Drawing({ scene, camera }: { scene: Scene; camera: Camera }) {
   // Labels stay where they were, if they can, on the same paper.
   const last = useMemo(() => new Map<string, Stood>(), [camera.paper]);
-  const planes = planesOf(scene.pose, camera);
+  const planes = scene.isBare ? [] : planesOf(scene.pose, camera);
   const { behind, before } = painted(scene.lines, planes, camera);
   const letters = lettered(scene, camera, planes, [...behind, ...before], last);
   return (

@@ -45,7 +45,8 @@ type Place = "before" | "behind" | "inside";
 
 function placeOf(point: Vector, planes: readonly Plane[]): Place {
   const outside = planes.filter(({ normal, offset }) => dot(normal, point) > offset);
-  if (outside.length === 0) return "inside";
+  // Where there is no solid nothing is hidden.
+  if (outside.length === 0) return planes.length === 0 ? "before" : "inside";
   return outside.some(({ isFacing }) => isFacing) ? "before" : "behind";
 }
 

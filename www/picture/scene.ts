@@ -28,6 +28,8 @@ export interface Label {
 }
 
 export interface Scene {
+  /** No body stands at the origin. */
+  isBare?: true;
   /** How the body stands in the world: carries world axes onto body axes. */
   pose: Quaternion;
   lines: Line[];

@@ -1,7 +1,7 @@
 // What the page shows, in the words of a title, and its address. Loaded after the first result, and with sharing.
 import { versionedFragment } from "../../address/fragment.ts";
 import { composeTitle, readTitle, translateTitle } from "../../copy/title.ts";
-import type { Endpoint } from "../../engine.ts";
+import type { Endpoint, FramesReport } from "../../engine.ts";
 import type { Shown, Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { titleWords as words } from "../../words/copy/title.ts";
@@ -25,6 +25,8 @@ function caseWords(store: Store): string | undefined {
       return current(store.translate.value, (report) =>
         translateTitle(report, { from: endNameOf(from, store), to: endNameOf(to, store) }),
       );
+    case "frames":
+      return current(store.frames.value, framesTitle);
     case "identify":
       return named(libraryName.trim());
     case "libraries":
@@ -33,6 +35,11 @@ function caseWords(store: Store): string | undefined {
   function named(name: string) {
     return name === "" ? undefined : words.part(name, viewNames[view]);
   }
+}
+
+function framesTitle({ frames, path }: FramesReport): string {
+  const child = frames[path.at(-1)?.frame ?? 0]?.name ?? "";
+  return words.part(`${child} in ${frames[0]?.name}`, viewNames.frames);
 }
 
 /** The address of what is shown, always with its version; a link of a newer quatlas stays what it is. */

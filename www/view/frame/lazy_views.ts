@@ -19,6 +19,10 @@ const files = {
     const { Compose, spokenProduct } = await import("../compose/Compose.tsx");
     return { Shown: Compose, spoken: spokenProduct };
   },
+  frames: async () => {
+    const { Frames, spokenPose, askedOfFrames } = await import("../frames/Frames.tsx");
+    return { Shown: Frames, spoken: spokenPose, asks: askedOfFrames };
+  },
   translate: async () => {
     const { Translate, spokenTranslation, askedOfTranslate } = await import(
       "../translate/Translate.tsx"
@@ -44,6 +48,7 @@ export type Loading =
 /** How far each view is. */
 export const loadingOf: Record<LazyView, Signal<Loading>> = {
   compose: signal({ status: "asleep" }),
+  frames: signal({ status: "asleep" }),
   translate: signal({ status: "asleep" }),
   identify: signal({ status: "asleep" }),
   libraries: signal({ status: "asleep" }),

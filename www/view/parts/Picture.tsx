@@ -6,10 +6,12 @@ import { useLater } from "./later.ts";
 import "./result.css";
 import "./picture.css";
 
-type Kind = "read" | "compose";
+type Kind = "read" | "compose" | "frames";
 
 const parts: Record<Kind, () => Promise<ComponentType<{ store: Store }>>> = {
   read: () => import("../../picture/ReadPicture.tsx").then(({ ReadPicture }) => ReadPicture),
+  frames: () =>
+    import("../../picture/FramesPicture.tsx").then(({ FramesPicture }) => FramesPicture),
   compose: () =>
     import("../../picture/ComposePicture.tsx").then(({ ComposePicture }) => ComposePicture),
 };

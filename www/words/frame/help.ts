@@ -9,6 +9,7 @@ const declare = (preset: string) => `Declare the text as ${preset}`;
 export const viewShortcutWords: Record<View, string> = {
   read: goTo("Read"),
   compose: goTo("Compose"),
+  frames: goTo("Frames"),
   translate: goTo("Translate"),
   identify: goTo("Identify"),
   libraries: goTo("All libraries"),
@@ -20,6 +21,7 @@ const goToTab = (tab: string) => `Go to ${tab}, to the part used last`;
 const tabShortcutWords: Record<`tab ${Tab}`, string> = {
   "tab read": goToTab("Read"),
   "tab compose": goToTab("Compose"),
+  "tab frames": goToTab("Frames"),
   "tab libraries": goToTab("Libraries"),
 };
 

@@ -10,11 +10,13 @@ export const tabsLabel = "Views";
 export const tabWords: Record<Tab, string> = {
   read: "Read",
   compose: "Compose",
+  frames: "Frames",
   libraries: "Libraries",
 };
 export const viewNames: Record<View, string> = {
   read: "Read",
   compose: "Compose",
+  frames: "Frames",
   translate: "Translate",
   identify: "Identify",
   libraries: "All libraries",

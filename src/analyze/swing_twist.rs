@@ -53,15 +53,16 @@ pub(crate) fn swing_twist(request: &SwingTwistRequest) -> Result<SwingTwistRepor
 
 /// The axis that a text holds: three numbers, or the name of an axis.
 fn axis(text: &str) -> Result<TypedVector, Problem> {
-    let named = match text.trim() {
-        "x" => Vector3::x(),
-        "y" => Vector3::y(),
-        "z" => Vector3::z(),
-        "-x" => -Vector3::x(),
-        "-y" => -Vector3::y(),
-        "-z" => -Vector3::z(),
-        _ => return TypedVector::of_text(text, Field::Axis),
+    let name = text.trim();
+    let (sign, name) = match name.strip_prefix('-') {
+        Some(name) => (-1.0, name),
+        None => (1.0, name),
     };
+    let [letter @ b'x'..=b'z'] = name.as_bytes() else {
+        return TypedVector::of_text(text, Field::Axis);
+    };
+    let mut named = Vector3::zeros();
+    named[usize::from(letter - b'x')] = sign;
     Ok(TypedVector {
         vector: named,
         note: None,

@@ -3,7 +3,8 @@
 use crate::contract::request::{
     AtlasRequest, BetweenRequest, ChainFactor, ChainRequest, SwingTwistRequest,
 };
-use crate::wasm::members::{Members, Typed, refused};
+use crate::wasm::members::Members;
+use crate::wasm::refusal::{Typed, refused};
 use crate::wasm::request::{convention, euler, matrix};
 
 pub(crate) const BETWEEN: [&str; 7] = ["view", "p", "q", "convention", "matrix", "euler", "part"];

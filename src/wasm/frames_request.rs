@@ -1,7 +1,8 @@
 //! What Frames is asked, member by member.
 
 use crate::contract::request::{FramesRequest, GivenPose};
-use crate::wasm::members::{Members, Typed};
+use crate::wasm::members::Members;
+use crate::wasm::refusal::Typed;
 use crate::wasm::request::{convention, euler, matrix, matrix_if_any};
 
 pub(crate) const FRAMES: [&str; 8] = [

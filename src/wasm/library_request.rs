@@ -5,7 +5,8 @@ use crate::contract::request::{
     IdentifyRequest, MatricesRequest, NumbersRequest, TranslateRequest,
 };
 use crate::library::endpoint::{ConventionEndpoint, Endpoint, LibraryEndpoint};
-use crate::wasm::members::{Members, Typed, no_such_choice};
+use crate::wasm::members::Members;
+use crate::wasm::refusal::{Typed, no_such_choice};
 use crate::wasm::request::{convention, matrix};
 
 pub(crate) const TRANSLATE: [&str; 6] =

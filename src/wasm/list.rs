@@ -6,7 +6,7 @@
 
 use crate::decimal::shortest;
 use crate::problem::MAX_TEXT_BYTES;
-use crate::wasm::members::{Typed, not_of_kind, refused};
+use crate::wasm::refusal::{Typed, not_of_kind, refused};
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 

@@ -3,18 +3,17 @@
 //! Nothing else of an object is looked at, however deep it is or whatever it leads back to. What a getter
 //! or a proxy throws is passed on as it is; all other refusals are a `TypeError`.
 
+use crate::wasm::refusal::{Typed, no_such_choice, not_of_kind, too_long_together};
 use crate::wasm::request_texts::{Texts, beginning};
-use js_sys::{JsString, Reflect, TypeError};
+use js_sys::{JsString, Reflect};
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
     crate::wasm::list::{List, numbers_as_text},
+    crate::wasm::refusal::refused,
     serde::de::{DeserializeOwned, IntoDeserializer},
     std::fmt,
 };
-
-/// A value of its type, or what is thrown instead.
-pub(crate) type Typed<Kind> = Result<Kind, JsValue>;
 
 /// How much of a name a message repeats.
 const QUOTED_UNITS: usize = 40;
@@ -327,36 +326,4 @@ fn meant<'known>(name: &str, known: &[&'known str]) -> Option<&'known str> {
 fn string_of<'value>(value: &'value JsValue, path: &str) -> Typed<&'value JsString> {
     let string = value.dyn_ref::<JsString>();
     string.ok_or_else(|| not_of_kind(value, path, "a text"))
-}
-
-fn too_long_together() -> JsValue {
-    refused("all its texts together are too long")
-}
-
-/// `path` is empty for the request itself.
-pub(crate) fn not_of_kind(value: &JsValue, path: &str, wanted: &str) -> JsValue {
-    let kind = match value.js_typeof().as_string().unwrap_or_default() {
-        _ if value.is_null() => "null".to_owned(),
-        kind if kind == "undefined" && !path.is_empty() => {
-            return refused(&format!("`{path}` is missing"));
-        }
-        kind if kind == "undefined" => kind,
-        kind if kind == "object" => "an object".to_owned(),
-        kind => format!("a {kind}"),
-    };
-    refused(&match path {
-        "" => format!("it is {kind}, not {wanted}"),
-        path => format!("`{path}` is {kind}, not {wanted}"),
-    })
-}
-
-pub(crate) fn no_such_choice(path: &str, chosen: &str, names: &[&str]) -> JsValue {
-    let names = format!("`{}`", names.join("`, `"));
-    refused(&format!(
-        "`{path}` cannot be `{chosen}`, but one of {names}"
-    ))
-}
-
-pub(crate) fn refused(reason: &str) -> JsValue {
-    TypeError::new(&format!("this is not a request: {reason}")).into()
 }

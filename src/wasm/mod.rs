@@ -22,6 +22,9 @@ mod list;
 // The members of objects of JavaScript.
 mod members;
 
+// What is thrown at a caller.
+mod refusal;
+
 // The requests that the page begins with, from JavaScript.
 mod request;
 
@@ -35,7 +38,8 @@ use crate::contract::Problems;
 use crate::convention::Convention;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
 use crate::text::parse_number;
-use crate::wasm::members::{Members, Typed, no_such_choice, refused, word};
+use crate::wasm::members::{Members, word};
+use crate::wasm::refusal::{Typed, no_such_choice, refused};
 use crate::wasm::request::{compose_request, read_request};
 use crate::wasm::request_texts::{Texts, member_of};
 use js_sys::{JsString, Object, Reflect, TypeError};
@@ -325,10 +329,10 @@ fn answer(
 
 /// The problems, with spans in the units of JavaScript.
 fn of_texts(problems: Vec<Problem>, texts: &Texts, text_of: TextOf<'_>) -> Problems {
-    let Problems { problems } =
-        Problems { problems }.in_utf16(|field, at| text_of(field, at).to_owned());
     let mut whole = Vec::new();
-    for problem in problems {
+    for mut problem in problems {
+        let text = text_of(problem.field, problem.at.into());
+        problem.span = problem.span.in_utf16(text);
         let member = member_of(problem.field);
         #[cfg(feature = "whole")]
         let factor = format!("{member}[{}].text", problem.at);

@@ -8,7 +8,8 @@ use crate::convention::euler_sequence::{EulerAxes, EulerFrame, EulerSequence};
 use crate::convention::matrix::MatrixConvention;
 use crate::convention::order::ComponentOrder;
 use crate::convention::{Convention, Direction, Function, Handedness, Perturbation};
-use crate::wasm::members::{Members, Typed};
+use crate::wasm::members::Members;
+use crate::wasm::refusal::Typed;
 
 pub(crate) const READ: [&str; 6] = [
     "view",

@@ -1,6 +1,7 @@
 // The picture of the way between two rotations: the body at its part, and the outlines of both ends.
 import { useId } from "preact/hooks";
 import type { BetweenReport, Column, ReadQuaternion } from "../engine.ts";
+import { shown } from "../number/format.ts";
 import type { Store } from "../state/store.ts";
 import * as words from "../words/compose/between.tsx";
 import { pictureWords } from "../words/picture.ts";
@@ -26,7 +27,7 @@ export function BetweenPicture({ store, report }: { store: Store; report: Betwee
         onLook={(turned) => store.set({ picture: { ...store.state.peek().picture, look: turned } })}
       />
       <p class="picture-says" id={describedBy}>
-        {words.pictureSays(report.part)}{" "}
+        {words.pictureSays(shown(report.part, store.state.value.digits))}{" "}
         <span class="visually-hidden">{pictureWords.lookOnly}</span>
       </p>
     </>

@@ -7,6 +7,7 @@ import type { PageState } from "../../model/page_state.ts";
 import {
   fromDegrees,
   fromRadians,
+  shown,
   shownAngle,
   shownAxis,
   shownRoughAngle,
@@ -39,7 +40,9 @@ export function Between({ store }: { store: Store }) {
         <p class="asked-lead">{problem === undefined && words.unread}</p>
       ) : (
         <div class={`asked ${old}`}>
-          <p class="asked-sentence">{sentenceOf(store, report)}</p>
+          <p class="asked-sentence" role="status">
+            {sentenceOf(store, report)}
+          </p>
           <Differences store={store} report={report} />
         </div>
       )}
@@ -172,7 +175,8 @@ function Way({
   of: "way" | "halfway";
 }) {
   const column = report[of];
-  const name = of === "way" ? words.at(report.part) : words.halfway;
+  const name =
+    of === "way" ? words.at(shown(report.part, store.state.value.digits)) : words.halfway;
   return (
     <ArrayRow
       name={name}

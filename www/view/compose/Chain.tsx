@@ -20,6 +20,9 @@ export function askedOfChain(state: PageState): Request {
   return { view: "chain", factors, convention: declaredConvention(state), matrix, euler };
 }
 
+/** In either order of components, and one that shows how another is typed. */
+const noTurn = "w=1 x=0 y=0 z=0";
+
 export function Chain({ store }: { store: Store }) {
   const { report, problems, old } = useAsked(store, askedOfChain, "chain");
   const factors = factorsOf(store.state.value);
@@ -71,7 +74,7 @@ export function Chain({ store }: { store: Store }) {
             <button
               type="button"
               class="quiet"
-              onClick={() => write([...factors, { text: "1 0 0 0", inverse: false }])}
+              onClick={() => write([...factors, { text: noTurn, inverse: false }])}
             >
               {words.add}
             </button>

@@ -46,8 +46,8 @@ export const noTurn = (unit: Unit) => `${unit}, by the shorter way round; no rot
 
 export const way = "The way from p to q";
 export const part = "part t of the way";
-export const at = (part: number) => `at t = ${part}`;
+export const at = (part: string) => `at t = ${part}`;
 export const halfway = "half way, the mean";
 export const picture = "Picture of the way from p to q";
-export const pictureSays = (part: number) =>
+export const pictureSays = (part: string) =>
   `The body B at t = ${part}, between the outlines of p and q.`;

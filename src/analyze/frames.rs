@@ -34,23 +34,23 @@ pub(crate) fn frames(request: &FramesRequest) -> FramesReport {
         known.frame(parent);
     }
     for pose in first {
-        let mut read = known.read(report.poses.len(), pose, request);
-        for problem in &mut read.problems {
-            problem.at = u8::try_from(report.poses.len()).unwrap_or_default();
-        }
+        let read = known.read(report.poses.len(), pose, request);
         report.poses.push(read);
     }
     if let Some(pose) = request.poses.get(MOST_POSES) {
-        let fault = Fault::too_many_poses(Span::of_trimmed(&pose.child));
         let mut read = ReadPose::default();
-        read.problems.push(fault.in_field(Field::Child));
+        let fault = Fault::too_many_poses(Span::of_trimmed(&pose.child));
+        tell(&mut read.problems, Field::Child, fault);
         report.poses.push(read);
+    }
+    for (at, read) in report.poses.iter_mut().enumerate() {
+        for problem in &mut read.problems {
+            problem.at = u8::try_from(at).unwrap_or_default();
+        }
     }
     let joined = joined(&known.links, known.names.len());
     let child = known.child_joined(request, &joined, &mut report);
-    let vector = optional(&request.point, Field::Point, &mut report.problems, |text| {
-        TypedVector::of_text(text, Field::Point)
-    });
+    let vector = vector(&request.point, Field::Point, &mut report.problems);
     let point = vector.as_ref().map(|typed| typed.vector);
     report.notes.extend(vector.and_then(|typed| typed.note));
     if let Some(child) = child {
@@ -123,29 +123,27 @@ impl Known {
         }
         let mut frames = [0; 2];
         for (place, field) in [Field::Parent, Field::Child].into_iter().enumerate() {
-            match check_name(texts[place], field) {
-                Ok(()) => frames[place] = self.frame(texts[place]),
-                Err(problem) => read.problems.push(problem),
+            if is_name(texts[place], field, &mut read.problems) {
+                frames[place] = self.frame(texts[place]);
             }
         }
         let [parent, child] = frames;
         if read.problems.is_empty() && parent == child {
-            let fault = Fault::same_frame(Span::of_trimmed(&pose.child));
-            read.problems.push(fault.in_field(Field::Child));
+            tell(
+                &mut read.problems,
+                Field::Child,
+                Fault::same_frame(Span::of_trimmed(&pose.child)),
+            );
         }
-        let position = optional(
-            &pose.position,
-            Field::Position,
-            &mut read.problems,
-            |text| TypedVector::of_text(text, Field::Position),
-        );
+        let position = vector(&pose.position, Field::Position, &mut read.problems);
         let declared = Declared::plain(
             pose.convention.unwrap_or(request.convention),
             pose.matrix.unwrap_or(request.matrix),
         );
-        let attitude = check_length(&pose.rotation, Field::Rotation)
-            .and_then(|()| Attitude::of_text(&pose.rotation, Field::Rotation, declared));
-        let attitude = match attitude {
+        if !is_short(&pose.rotation, Field::Rotation, &mut read.problems) {
+            return read;
+        }
+        let attitude = match Attitude::of_text(&pose.rotation, Field::Rotation, declared) {
             Ok(attitude) => attitude,
             Err(problem) => {
                 read.problems.push(problem);
@@ -156,8 +154,11 @@ impl Known {
         let mut origin = position_beside(&attitude);
         if let Some(typed) = position {
             if origin.is_some() {
-                let fault = Fault::two_positions(Span::of_trimmed(&pose.position));
-                read.problems.push(fault.in_field(Field::Position));
+                tell(
+                    &mut read.problems,
+                    Field::Position,
+                    Fault::two_positions(Span::of_trimmed(&pose.position)),
+                );
             }
             read.notes.extend(typed.note);
             origin = Some(typed.vector);
@@ -191,8 +192,7 @@ impl Known {
         let mut child = 0;
         for field in [Field::Parent, Field::Child] {
             let name = request.text(field);
-            if let Err(problem) = check_name(name, field) {
-                report.problems.push(problem);
+            if !is_name(name, field, &mut report.problems) {
                 continue;
             }
             match self.place(name) {
@@ -204,7 +204,7 @@ impl Known {
                         let meant = names.find(|known| are_nearly_same(name, known))?;
                         Some(Suggestion::new(Remedy::RenameFrame, &**meant))
                     });
-                    report.problems.push(fault.in_field(field));
+                    tell(&mut report.problems, field, fault);
                 }
             }
         }
@@ -227,7 +227,7 @@ impl Known {
         } else {
             return Some(child);
         };
-        report.problems.push(fault.in_field(Field::Child));
+        tell(&mut report.problems, Field::Child, fault);
         None
     }
 
@@ -339,34 +339,39 @@ fn position_beside(attitude: &Attitude) -> Option<Vector3<f64>> {
     None
 }
 
-fn check_name(name: &str, field: Field) -> Result<(), Problem> {
-    if name.trim().is_empty() {
-        return Err(Fault::unnamed_frame(Span::of_trimmed(name)).in_field(field));
-    }
-    check_length(name, field)
+fn tell(problems: &mut Vec<Problem>, field: Field, fault: Fault) {
+    problems.push(fault.in_field(field));
 }
 
-fn check_length(text: &str, field: Field) -> Result<(), Problem> {
-    if text.len() > LONGEST_TEXT_BYTES {
+fn is_name(name: &str, field: Field, problems: &mut Vec<Problem>) -> bool {
+    if name.trim().is_empty() {
+        tell(
+            problems,
+            field,
+            Fault::unnamed_frame(Span::of_trimmed(name)),
+        );
+        return false;
+    }
+    is_short(name, field, problems)
+}
+
+fn is_short(text: &str, field: Field, problems: &mut Vec<Problem>) -> bool {
+    let is_short = text.len() <= LONGEST_TEXT_BYTES;
+    if !is_short {
         let span = Span::of_trimmed(text);
         let fault = Fault::text_too_long(span, text.len(), LONGEST_TEXT_BYTES);
-        return Err(fault.in_field(field));
+        tell(problems, field, fault);
     }
-    Ok(())
+    is_short
 }
 
-/// What is read of a text, if there is one.
-fn optional<Read>(
-    text: &str,
-    field: Field,
-    problems: &mut Vec<Problem>,
-    read: fn(&str) -> Result<Read, Problem>,
-) -> Option<Read> {
-    if text.trim().is_empty() {
+/// The vector of a text, if there is one.
+fn vector(text: &str, field: Field, problems: &mut Vec<Problem>) -> Option<TypedVector> {
+    if text.trim().is_empty() || !is_short(text, field, problems) {
         return None;
     }
-    match check_length(text, field).and_then(|()| read(text)) {
-        Ok(read) => Some(read),
+    match TypedVector::of_text(text, field) {
+        Ok(typed) => Some(typed),
         Err(problem) => {
             problems.push(problem);
             None

@@ -120,44 +120,50 @@ fn finite(vector: Vector3<f64>) -> Option<Vector3<f64>> {
 /// Every frame with its pose in a root: the first frame of the list, and of those that are not joined to it
 /// the first that is left. Each by a path of the fewest steps.
 pub(crate) fn joined(links: &[Link], frames: usize) -> Vec<Joined> {
-    let mut found: Vec<Option<Joined>> = vec![None; frames];
+    let mut found = Vec::new();
+    let mut is_found = Vec::new();
     for root in 0..frames {
-        if found[root].is_some() {
-            continue;
-        }
         let pose = Placement::identity();
-        found[root] = Some(Joined {
+        found.push(Joined {
             root,
             pose,
             last: None,
         });
-        let mut waiting = vec![(root, pose)];
+        is_found.push(false);
+    }
+    for root in 0..frames {
+        if is_found[root] {
+            continue;
+        }
+        is_found[root] = true;
+        let mut waiting = vec![root];
         let mut next = 0;
-        while let Some(&(from, pose)) = waiting.get(next) {
+        while let Some(&from) = waiting.get(next) {
             next += 1;
             for (link, Link { parent, child, .. }) in links.iter().enumerate() {
                 let is_inverse = *child == from;
                 let to = if is_inverse { *parent } else { *child };
-                if (!is_inverse && *parent != from) || found[to].is_some() {
+                if (!is_inverse && *parent != from) || is_found[to] {
                     continue;
                 }
+                is_found[to] = true;
                 let last = Step {
                     link,
                     is_inverse,
                     to,
                     from,
                 };
-                let pose = pose.then(&last.pose(&links[link].pose));
-                found[to] = Some(Joined {
+                let pose = found[from].pose.then(&last.pose(&links[link].pose));
+                found[to] = Joined {
                     root,
                     pose,
                     last: Some(last),
-                });
-                waiting.push((to, pose));
+                };
+                waiting.push(to);
             }
         }
     }
-    found.into_iter().flatten().collect()
+    found
 }
 
 impl Step {
@@ -191,7 +197,9 @@ pub(crate) fn path(joined: &[Joined], from: usize, to: usize) -> Vec<Step> {
             ..step
         });
     }
-    path.extend(down.into_iter().rev());
+    while let Some(step) = down.pop() {
+        path.push(step);
+    }
     path
 }
 
@@ -244,10 +252,8 @@ pub(crate) fn loops(links: &[Link], joined: &[Joined]) -> Vec<Loop> {
     let mut loops = Vec::new();
     let mut looked = 0;
     for (link, Link { parent, child, .. }) in links.iter().enumerate() {
-        let mut leads = [*parent, *child]
-            .into_iter()
-            .filter_map(|frame| joined[frame].last);
-        if leads.any(|step| step.link == link) {
+        let leads_to = |frame: usize| joined[frame].last.is_some_and(|step| step.link == link);
+        if leads_to(*parent) || leads_to(*child) {
             continue;
         }
         let path = path(joined, *parent, *child);
@@ -264,12 +270,13 @@ pub(crate) fn loops(links: &[Link], joined: &[Joined]) -> Vec<Loop> {
         let is_open = (angle_rad > least[0] || far > least[1]) && looked < MOST_LOOKED;
         looked += usize::from(is_open);
         let mut closes = [None; 2];
-        for (found, change) in closes
-            .iter_mut()
-            .zip([Placement::inverse, Placement::transposed])
-        {
-            let others = path.iter().map(|step| step.link);
-            for changed in others.chain([link]).filter(|_| is_open) {
+        let changes = [Placement::inverse, Placement::transposed];
+        for place in 0..=path.len() {
+            if !is_open {
+                break;
+            }
+            let changed = path.get(place).map_or(link, |step| step.link);
+            for (found, change) in closes.iter_mut().zip(changes) {
                 let (angle, left) = off(links, (link, &path), changed, change);
                 let is_closed = angle <= MUCH_NEARER * angle_rad + least[0]
                     && left.unwrap_or_default() <= MUCH_NEARER * far + least[1];

@@ -52,6 +52,7 @@ use {
     crate::contract::FramesReport,
     crate::contract::request::FramesRequest,
     crate::wasm::frames_request::{FRAMES, frames_request},
+    std::mem::take,
 };
 #[cfg(feature = "libraries")]
 use {
@@ -323,25 +324,34 @@ fn answer(
 ) -> Typed<JsValue> {
     match answered {
         Ok(report) => with_status(view, &report),
-        Err(problems) => with_status("problems", &of_texts(problems, texts, text_of)),
+        Err(problems) => with_status("problems", &of_texts(problems, texts, text_of, "")),
     }
 }
 
-/// The problems, with spans in the units of JavaScript.
-fn of_texts(problems: Vec<Problem>, texts: &Texts, text_of: TextOf<'_>) -> Problems {
+/// The problems, with spans in the units of JavaScript, of texts that stand in this part of the request.
+fn of_texts(problems: Vec<Problem>, texts: &Texts, text_of: TextOf<'_>, part: &str) -> Problems {
     let mut whole = Vec::new();
     for mut problem in problems {
         let text = text_of(problem.field, problem.at.into());
         problem.span = problem.span.in_utf16(text);
         let member = member_of(problem.field);
         #[cfg(feature = "whole")]
-        let factor = format!("{member}[{}].text", problem.at);
-        #[cfg(feature = "whole")]
-        let member = match problem.field {
-            Field::Factor => &*factor,
-            _ => member,
+        let whole_path = match problem.field {
+            Field::Factor => format!("{member}[{}].text", problem.at),
+            _ => format!("{part}{member}"),
         };
-        whole.push(texts.of_whole_text(problem, member, MAX_TEXT_BYTES));
+        #[cfg(feature = "whole")]
+        let path = &*whole_path;
+        #[cfg(feature = "whole")]
+        let most = match problem.field {
+            Field::Parent | Field::Child | Field::Rotation | Field::Position | Field::Point => {
+                LONGEST_TEXT_BYTES
+            }
+            _ => MAX_TEXT_BYTES,
+        };
+        #[cfg(not(feature = "whole"))]
+        let (path, most, _) = (member, MAX_TEXT_BYTES, part);
+        whole.push(texts.of_whole_text(problem, path, most));
     }
     Problems { problems: whole }
 }
@@ -367,21 +377,15 @@ fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
 
 #[cfg(feature = "whole")]
 fn frames_of_whole_texts(request: &FramesRequest, texts: &Texts) -> FramesReport {
-    let whole = |problem: &mut Problem, text: &str, path: &str| {
-        problem.span = problem.span.in_utf16(text);
-        let path = format!("{path}{}", member_of(problem.field));
-        *problem = texts.of_whole_text(problem.clone(), &path, LONGEST_TEXT_BYTES);
-    };
     let mut report = frames(request);
     for (at, pose) in report.poses.iter_mut().enumerate() {
-        for problem in &mut pose.problems {
-            let text = request.poses[at].text(problem.field);
-            whole(problem, text, &format!("poses[{at}]."));
-        }
+        let part = format!("poses[{at}].");
+        let problems = take(&mut pose.problems);
+        let text_of = |field, at: usize| request.poses[at].text(field);
+        pose.problems = of_texts(problems, texts, &text_of, &part).problems;
     }
-    for problem in &mut report.problems {
-        whole(problem, request.text(problem.field), "");
-    }
+    let problems = take(&mut report.problems);
+    report.problems = of_texts(problems, texts, &|field, _| request.text(field), "").problems;
     report
 }
 

@@ -105,6 +105,11 @@ test("more than two: factors are added, inverted and taken away again", async ({
   await card.getByRole("button", { name: "Remove factor 3" }).focus();
   await page.keyboard.press("Enter");
   await expectRow(card, "rotation vector", [-0.62586, -0.969051, 1.653037]);
+  // The other order is another rotation, and its quaternion the one that Compose shows.
+  await card.getByRole("checkbox", { name: "multiplied in reverse" }).focus();
+  await page.keyboard.press("Space");
+  await expect(card.getByRole("heading", { name: "JPL" })).toContainText("p ⊗ q");
+  await expectRow(card.locator(".hamilton"), "product", [0.533654, 0.134511, 0.040986, 0.83393]);
   await page.setViewportSize({ width: 360, height: 780 });
   expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
 });

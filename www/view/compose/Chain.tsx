@@ -11,12 +11,13 @@ import { arrowOf, wordsOf } from "../../words/conventions.ts";
 import { AskedText, useAsked } from "../parts/asked.tsx";
 import { Notes } from "../parts/Notes.tsx";
 import { ArrayRow, Matrix } from "../parts/Value.tsx";
-import { type Factor, factorsOf, factorsText, mostFactors } from "./factors.ts";
+import { type Factor, factorsOf, factorsText, isReversed, mostFactors } from "./factors.ts";
 import "./chain.css";
 
 export function askedOfChain(state: PageState): Request {
   const { matrix, euler } = state;
   const factors = factorsOf(state);
+  if (isReversed(state)) factors.reverse();
   return { view: "chain", factors, convention: declaredConvention(state), matrix, euler };
 }
 
@@ -26,8 +27,10 @@ const noTurn = "w=1 x=0 y=0 z=0";
 export function Chain({ store }: { store: Store }) {
   const { report, problems, old } = useAsked(store, askedOfChain, "chain");
   const factors = factorsOf(store.state.value);
+  const inReverse = isReversed(store.state.value);
+  const placeOf = (at: number) => (inReverse ? factors.length - 1 - at : at);
   const write = (next: readonly Factor[], as?: string) =>
-    store.set({ factors: factorsText(next) }, as === undefined ? {} : { as });
+    store.set({ factors: factorsText(next, inReverse) }, as === undefined ? {} : { as });
   const change = (at: number, part: Partial<Factor>, as?: string) =>
     write(
       factors.map((factor, place) => (place === at ? { ...factor, ...part } : factor)),
@@ -45,7 +48,7 @@ export function Chain({ store }: { store: Store }) {
                 label={words.factor(at + 1)}
                 symbol={<FactorName at={at} />}
                 text={text}
-                problem={problems.find((problem) => problem.at === at)}
+                problem={problems.find((problem) => problem.at === placeOf(at))}
                 onInput={(text) => change(at, { text }, `factor ${at}`)}
               />
             )}
@@ -53,6 +56,7 @@ export function Chain({ store }: { store: Store }) {
               <input
                 type="checkbox"
                 checked={inverse}
+                aria-label={words.inverts(at + 1)}
                 onChange={({ currentTarget }) => change(at, { inverse: currentTarget.checked })}
               />{" "}
               {words.inverse}
@@ -69,8 +73,8 @@ export function Chain({ store }: { store: Store }) {
             )}
           </li>
         ))}
-        {factors.length < mostFactors && (
-          <li>
+        <li>
+          {factors.length < mostFactors && (
             <button
               type="button"
               class="quiet"
@@ -78,16 +82,24 @@ export function Chain({ store }: { store: Store }) {
             >
               {words.add}
             </button>
-          </li>
-        )}
+          )}
+          <label>
+            <input
+              type="checkbox"
+              checked={inReverse}
+              onChange={() => store.set({ factors: factorsText(factors, !inReverse) })}
+            />{" "}
+            {words.reverse}
+          </label>
+        </li>
       </ol>
       {report && (
         <div class={`asked ${old}`}>
           <Notes
-            notes={report.notes.filter((_, at) => (report.noted[at] ?? 0) >= 2)}
+            notes={report.notes.filter((_, at) => placeOf(report.noted[at] ?? 0) >= 2)}
             store={store}
           />
-          <Product store={store} report={report} factors={factors} />
+          <Product store={store} report={report} factors={factors} inReverse={inReverse} />
         </div>
       )}
     </section>
@@ -105,15 +117,15 @@ function FactorName({ at }: { at: number }) {
   );
 }
 
-function Product({
-  store,
-  report,
-  factors,
-}: {
+interface Multiplied {
   store: Store;
   report: ChainReport;
+  /** As they are listed. */
   factors: readonly Factor[];
-}) {
+  inReverse: boolean;
+}
+
+function Product({ store, report, factors, inReverse }: Multiplied) {
   const { digits, unit } = store.state.value;
   const { turn, euler, mean } = report;
   const angle = (radians: number) => shownAngle(fromRadians(radians), digits, unit);
@@ -121,7 +133,7 @@ function Product({
     <>
       <div class="asked-columns">
         {(["hamilton", "jpl"] as const).map((preset) => (
-          <InNotation key={preset} {...{ store, report, factors, preset }} />
+          <InNotation key={preset} {...{ store, report, factors, inReverse, preset }} />
         ))}
       </div>
       <div>
@@ -156,13 +168,9 @@ function InNotation({
   store,
   report,
   factors,
+  inReverse,
   preset,
-}: {
-  store: Store;
-  report: ChainReport;
-  factors: readonly Factor[];
-  preset: Preset;
-}) {
+}: Multiplied & { preset: Preset }) {
   const { digits } = store.state.value;
   const column = report[preset];
   const { name, order, matrix } = wordsOf[preset];
@@ -173,7 +181,8 @@ function InNotation({
       {inverse && <sup>−1</sup>}
     </span>
   ));
-  if (column.rules.operator !== report.declared.rules.operator) written.reverse();
+  const isListed = column.rules.operator === report.declared.rules.operator;
+  if (isListed === inReverse) written.reverse();
   const sign = preset === "hamilton" ? " ⊙ " : " ⊗ ";
   const product = written.flatMap((factor, at) => (at === 0 ? [factor] : [sign, factor]));
   return (

@@ -12,10 +12,11 @@ export const mostFactors = 32;
 
 const separator = "~";
 const inverted = "/";
+const reversed = "r";
 
 /**
  * The factors that a state means: p, q and those that were added. Its text is `p` and `q` where these are
- * inverted, and each of the others after a `~`, with a `/` in front where it is inverted.
+ * inverted, `r` where all are multiplied in reverse, and each of the others after a `~`, with a `/` in front where it is inverted.
  */
 export function factorsOf({ p, q, factors }: PageState): Factor[] {
   const [flags = "", ...added] = factors.split(separator);
@@ -29,9 +30,13 @@ export function factorsOf({ p, q, factors }: PageState): Factor[] {
   ];
 }
 
+/** Whether the factors are multiplied in reverse. */
+export const isReversed = ({ factors }: PageState) =>
+  factors.split(separator, 1)[0]?.includes(reversed) === true;
+
 /** The text of factors, without what p and q are. */
-export function factorsText([p, q, ...added]: readonly Factor[]): string {
-  const flags = `${p?.inverse ? "p" : ""}${q?.inverse ? "q" : ""}`;
+export function factorsText([p, q, ...added]: readonly Factor[], inReverse: boolean): string {
+  const flags = `${p?.inverse ? "p" : ""}${q?.inverse ? "q" : ""}${inReverse ? reversed : ""}`;
   const written = added.map(
     ({ text, inverse }) => `${inverse ? inverted : ""}${text.replaceAll(separator, " ")}`,
   );

@@ -3,6 +3,8 @@
 export const title = "More than two";
 export const factor = (place: number) => `factor ${place}`;
 export const inverse = "inverted";
+export const inverts = (place: number) => `factor ${place} inverted`;
+export const reverse = "multiplied in reverse";
 export const removes = (place: number) => `Remove factor ${place}`;
 export const remove = "Remove";
 export const add = "Add a factor";

@@ -8,7 +8,7 @@
 
   /** The view of the address, where it is not Read. */
   const otherView = () =>
-    /^#(compose|translate|identify|libraries)(?![^?])/.exec(location.hash)?.[1];
+    /^#(compose|motion|frames|translate|identify|libraries)(?![^?])/.exec(location.hash)?.[1];
 
   // The core is on its way before the program is, which takes the answer (engine.ts). A browser would
   // preload it too, and some then load it again.

@@ -18,7 +18,7 @@ import type {
 } from "../../www/engine.ts";
 import type { Copied } from "../../www/model/copied.ts";
 import { type CodeFormat, canSay, formats } from "../../www/model/copy_formats.ts";
-import { copiedWords } from "../../www/words/copy/values.ts";
+import { endWords } from "../../www/words/copy/end_values.ts";
 
 const root = new URL("../../", import.meta.url);
 initSync({ module: readFileSync(new URL("pkg/quatlas_bg.wasm", root)) });
@@ -72,7 +72,7 @@ function values(): Record<string, Copied> {
       kind: "matrix",
       symbol: "M",
       rows: report.jpl.matrix,
-      does: copiedWords.endMatrix["as-printed"]("DirectXMath", { vectors: "row" } as PrintedMatrix),
+      does: endWords.endMatrix["as-printed"]("DirectXMath", { vectors: "row" } as PrintedMatrix),
     },
     "half-turn": columnValues(halfSpace.hamilton, describe).matrix,
     product: columns.jpl.left,

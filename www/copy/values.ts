@@ -6,19 +6,16 @@ import type {
   Describe,
   Direction,
   Handedness,
-  Product,
   ReadReport,
-  TranslatedEnd,
 } from "../engine.ts";
-import { namesOf, otherOrder } from "../model/component_order.ts";
+import { namesOf } from "../model/component_order.ts";
 import { operatorOf } from "../model/conventions.ts";
-import type { Copied, CopiedQuaternion, EndMatrix, Rows } from "../model/copied.ts";
+import type { Copied, CopiedQuaternion, Rows } from "../model/copied.ts";
 import { copiedWords as words } from "../words/copy/values.ts";
 
-const letterOf: Record<Handedness, string> = { right: "R", left: "C" };
-const signOf: Record<Handedness, string> = { right: "(.)", left: "(x)" };
+export const letterOf: Record<Handedness, string> = { right: "R", left: "C" };
 
-function quaternionValue(
+export function quaternionValue(
   symbol: string,
   { w, x, y, z, norm }: Components,
   convention: Convention,
@@ -38,7 +35,7 @@ function quaternionValue(
   };
 }
 
-const matrixValue = (symbol: string, rows: Rows, does: string): Copied => ({
+export const matrixValue = (symbol: string, rows: Rows, does: string): Copied => ({
   kind: "matrix",
   symbol,
   rows,
@@ -96,19 +93,6 @@ export function declaredValues(
   };
 }
 
-/** The values of a product. */
-export function productValues(
-  { convention, left, right, quaternion, matrix, frames }: Product,
-  describe: Describe,
-) {
-  const symbol = `${left} ${signOf[convention.handedness]} ${right}`;
-  const does = words.frames(frames[0], frames[2]);
-  return {
-    quaternion: quaternionValue(symbol, quaternion, convention, describe, matrix),
-    matrix: matrixValue(`${letterOf[convention.handedness]}(${symbol})`, matrix, does),
-  };
-}
-
 /** The values that no convention changes. */
 export function turnValues({ turn, hamilton }: ReadReport, describe: Describe) {
   const { axis, angleRad, rotationVectorRad } = turn;
@@ -130,27 +114,3 @@ export function turnValues({ turn, hamilton }: ReadReport, describe: Describe) {
 export function eulerValue({ sequence, anglesRad }: ReadReport["euler"]): Copied {
   return { kind: "euler", sequence, anglesRad };
 }
-
-export function endQuaternion(
-  { components, convention }: TranslatedEnd,
-  describe: Describe,
-): CopiedQuaternion {
-  return quaternionValue("q", components, convention, describe);
-}
-
-/** The values of an end of a translation. */
-export function endValues(
-  name: string,
-  { components, convention, matrix }: TranslatedEnd,
-  of: EndMatrix,
-  describe: Describe,
-) {
-  const reordered = { ...convention, order: otherOrder[convention.order] };
-  return {
-    reordered: quaternionValue("q", components, reordered, describe),
-    matrix: matrix && matrixValue("M", matrix.rows, words.endMatrix[of](name, matrix)),
-  };
-}
-
-export const newAxesValue = (of: string, rows: Rows, text: string) =>
-  matrixValue("A", rows, words.newAxes(of, text));

@@ -1,7 +1,7 @@
 // Products as cards: each with what it does to the body, and two of the same numbers as a pair.
 import { type ComponentChildren, Fragment } from "preact";
 import { useState } from "preact/hooks";
-import { productValues } from "../../copy/values.ts";
+import { productValues } from "../../copy/product_values.ts";
 import type { Operand, Product, Turn } from "../../engine.ts";
 import { presetOf } from "../../model/conventions.ts";
 import { shownAngle, shownAxis } from "../../number/format.ts";

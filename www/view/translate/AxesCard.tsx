@@ -1,5 +1,5 @@
 // The change of axes on the way, with its matrices.
-import { newAxesValue } from "../../copy/values.ts";
+import { newAxesValue } from "../../copy/end_values.ts";
 import type { AxesReport, MappedAxes } from "../../engine.ts";
 import type { Digits } from "../../model/page_state.ts";
 import * as words from "../../words/translate/axes_card.tsx";

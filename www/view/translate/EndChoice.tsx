@@ -15,6 +15,7 @@ import { libraryWith, ordersOf } from "../parts/library.ts";
 import { type Convened, LibraryPicker } from "./LibraryPicker.tsx";
 import "../parts/axes_panel.css";
 import "./end_choice.css";
+import "./segments.css";
 
 type LibraryEnd = Extract<Endpoint, { kind: "library" }>;
 

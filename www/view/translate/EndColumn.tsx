@@ -1,6 +1,6 @@
 // One end of a translation: its numbers, its matrix, its product, its line of code.
 import type { ComponentChildren } from "preact";
-import { endValues } from "../../copy/values.ts";
+import { endValues } from "../../copy/end_values.ts";
 import type { Engine, TranslatedEnd } from "../../engine.ts";
 import { arrayOf } from "../../model/component_order.ts";
 import type { Digits } from "../../model/page_state.ts";

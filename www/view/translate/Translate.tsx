@@ -1,6 +1,6 @@
 // The Translate view: four numbers from one library or convention to another.
 import { toFragment } from "../../address/fragment.ts";
-import { endQuaternion } from "../../copy/values.ts";
+import { endQuaternion } from "../../copy/end_values.ts";
 import type { Fact, TranslatedEnd, TranslateReport } from "../../engine.ts";
 import { inverseAxes } from "../../model/axis_mapping.ts";
 import { type Digits, opening, type PageState } from "../../model/page_state.ts";

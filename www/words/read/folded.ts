@@ -12,6 +12,6 @@ export const lines: Record<FoldedPart, string> = {
 
 /** Those that ask the whole core. */
 export const asked = {
-  atlas: "The same rotation in all 16 conventions: which of them is mine?",
+  atlas: "The same rotation in all 16 conventions",
   "swing-twist": "Twist and swing about an axis",
 };

@@ -87,7 +87,14 @@ const ROOMS: &[(&str, &[&str])] = &[
     ),
     (
         "contract",
-        &["convention", "problem", "rotation", "frames", "library"],
+        &[
+            "convention",
+            "problem",
+            "rotation",
+            "motion",
+            "frames",
+            "library",
+        ],
     ),
     // Planned: the formula of a value, in symbols and in numbers.
     ("explain", &["convention", "rotation", "motion", "contract"]),
@@ -117,6 +124,7 @@ const ROOMS: &[(&str, &[&str])] = &[
             "convention",
             "problem",
             "rotation",
+            "motion",
             "library",
             "batch",
             "trajectory",

@@ -42,6 +42,10 @@ pub mod identify;
 // Nine numbers to an attitude, or what is nearest to them.
 mod matrix;
 
+// What moves one attitude.
+#[cfg(feature = "whole")]
+pub(crate) mod motion;
+
 // Which norms are those of rotations.
 mod norm;
 
@@ -100,6 +104,8 @@ use crate::analyze::compose::compose;
 use crate::analyze::frames::frames;
 use crate::analyze::identify::identify;
 use crate::analyze::identify::matrix_library::identify_matrices;
+#[cfg(feature = "whole")]
+use crate::analyze::motion::motion;
 use crate::analyze::numbers::numbers;
 use crate::analyze::read::read;
 #[cfg(feature = "whole")]
@@ -155,6 +161,8 @@ pub fn analyze(request: &Request) -> Outcome {
         }
         #[cfg(feature = "whole")]
         Request::Frames(request) => Ok(Outcome::Frames(Box::new(frames(request)))),
+        #[cfg(feature = "whole")]
+        Request::Motion(request) => motion(request).map(|report| Outcome::Motion(Box::new(report))),
     };
     answered.unwrap_or_else(|problems| Outcome::Problems(Problems { problems }))
 }

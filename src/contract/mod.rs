@@ -36,6 +36,10 @@ mod note;
 // What the identification of a library of matrices answers.
 mod matrices;
 
+// What is asked and answered of an attitude in motion.
+#[cfg(feature = "whole")]
+mod motion;
+
 // What numbers beside an attitude are.
 mod numbers;
 
@@ -68,6 +72,8 @@ pub use crate::contract::found::*;
 pub use crate::contract::frames::*;
 pub use crate::contract::identification::*;
 pub use crate::contract::matrices::*;
+#[cfg(feature = "whole")]
+pub use crate::contract::motion::*;
 pub use crate::contract::note::*;
 pub use crate::contract::numbers::*;
 #[cfg(feature = "whole")]
@@ -110,6 +116,9 @@ pub enum Outcome {
     /// The answer to a [`Request::Frames`](crate::Request::Frames); problems of its texts are in it.
     #[cfg(feature = "whole")]
     Frames(Box<FramesReport>),
+    /// The answer to a [`Request::Motion`](crate::Request::Motion).
+    #[cfg(feature = "whole")]
+    Motion(Box<MotionReport>),
     /// At least one text could not be read; every text's first problem is here.
     Problems(Problems),
 }
@@ -269,7 +278,11 @@ impl Outcome {
             | Self::Numbers(_)
             | Self::Matrices(_) => self,
             #[cfg(feature = "whole")]
-            Self::Between(_) | Self::Chain(_) | Self::Atlas(_) | Self::SwingTwist(_) => self,
+            Self::Between(_)
+            | Self::Chain(_)
+            | Self::Atlas(_)
+            | Self::SwingTwist(_)
+            | Self::Motion(_) => self,
         }
     }
 }

@@ -3,12 +3,14 @@
 #[cfg(feature = "whole")]
 use crate::contract::found::{FormatAssumed, FoundInText, OtherDescription, SaidElsewhere};
 use crate::convention::angle::AngleUnit;
+use crate::convention::names::serialized_by_name;
 use crate::convention::order::ComponentOrder;
 use crate::convention::order::OrderSource;
 use crate::convention::{Direction, Handedness};
 use crate::problem::Field;
 use crate::problem::suggestion::{Suggestion, Suggestions, suggestions};
 use serde::{Deserialize, Serialize};
+use strum::VariantNames;
 
 /// One thing worth knowing, as data; the page has the words.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -327,9 +329,11 @@ pub struct OutOfRange {
 }
 
 /// A number that a double may be unable to hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum OutOfRangeNumber {
     /// The norm as typed, of numbers for other axes: those numbers have norm 1.
     Norm,
@@ -343,3 +347,5 @@ pub enum OutOfRangeNumber {
     #[cfg(feature = "whole")]
     Position,
 }
+
+serialized_by_name!(OutOfRangeNumber);

@@ -1,5 +1,7 @@
 //! What is asked: text as it was typed, and the convention it is declared to be in.
 
+#[cfg(feature = "whole")]
+use crate::contract::motion::MotionRequest;
 use crate::contract::probe::{Probe, ProbeKind};
 use crate::contract::text::Text;
 use crate::convention::Convention;
@@ -43,6 +45,9 @@ pub enum Request {
     /// Where does one frame stand in another?
     #[cfg(feature = "whole")]
     Frames(FramesRequest),
+    /// What do a small turn, a rate and time make of this attitude?
+    #[cfg(feature = "whole")]
+    Motion(MotionRequest),
 }
 
 /// One attitude and one vector.

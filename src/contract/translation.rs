@@ -5,6 +5,7 @@ use crate::contract::note::Note;
 use crate::convention::angle::AngleUnit;
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::names::serialized_by_name;
 use crate::convention::order::ComponentOrder;
 use crate::convention::side::Side;
 use crate::convention::{ComponentSign, Convention, Direction, Handedness};
@@ -12,6 +13,7 @@ use crate::frames::axis_mapping::{AxesHand, AxisMapping};
 use crate::library::endpoint::Assumption;
 use crate::library::{RecordNumbersKind, VectorLayout};
 use serde::{Deserialize, Serialize};
+use strum::VariantNames;
 
 /// One attitude at both ends of a translation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -134,9 +136,11 @@ pub struct PrintedMatrix {
 }
 
 /// What is done to four numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Change {
     /// Nothing: they are copied.
     Copied,
@@ -148,10 +152,13 @@ pub enum Change {
     ReorderedAndConjugated,
 }
 
+serialized_by_name!(Change);
+
 /// What may go wrong with a translation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, VariantNames)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 pub enum MistakeKind {
     /// The four numbers are copied as they are, though they are to be reordered and conjugated.
     Copied,
@@ -165,7 +172,18 @@ pub enum MistakeKind {
     ConstructorOrder,
     /// The axes are left as they were.
     AxesKept,
+    /// A small turn or a rate stands on the other side of the quaternion: it is taken for one on the axes
+    /// of the other frame.
+    OtherSide,
+    /// A small turn or a rate has the other sign.
+    OtherSign,
+    /// The half of the angle in the exponential, or of the rate in the derivative, is forgotten.
+    HalfForgotten,
+    /// The numbers are in degrees where radians are taken.
+    DegreesAsRadians,
 }
+
+serialized_by_name!(MistakeKind);
 
 /// What goes wrong, and by how much.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -180,9 +198,11 @@ pub struct Mistake {
 }
 
 /// How a product of one end is written at the other.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum ProductOrder {
     /// `a * b` stays `a * b`.
     Same,
@@ -194,6 +214,8 @@ pub enum ProductOrder {
     /// The product of one end is not established.
     NotEstablished,
 }
+
+serialized_by_name!(ProductOrder);
 
 /// A change of axes on the way.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -39,3 +39,16 @@ pub(crate) fn named<Choice: VariantArray + EnumMessage + Copy>(
         name: name.to_owned(),
     })
 }
+
+/// Serialization by the list of names; what serde derives has the code of a case for each.
+macro_rules! serialized_by_name {
+    ($kind:ident) => {
+        impl serde::Serialize for $kind {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let name = <Self as strum::VariantNames>::VARIANTS[*self as usize];
+                serializer.serialize_unit_variant(stringify!($kind), *self as u32, name)
+            }
+        }
+    };
+}
+pub(crate) use serialized_by_name;

@@ -1,5 +1,6 @@
 //! In which order four numbers are written, and how a text tells it.
 
+use crate::convention::names::serialized_by_name;
 use serde::{Deserialize, Serialize};
 use strum::{Display, EnumMessage, VariantArray, VariantNames};
 
@@ -72,9 +73,11 @@ impl ComponentOrder {
 }
 
 /// How a text told which number is the scalar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum OrderSource {
     /// It did not: the declared order was used.
     Declared,
@@ -89,3 +92,5 @@ pub enum OrderSource {
     /// By the format of the text, such as that of a trajectory.
     Format,
 }
+
+serialized_by_name!(OrderSource);

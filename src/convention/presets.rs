@@ -1,12 +1,16 @@
 //! The conventions that have a name.
 
 use crate::convention::Convention;
-use serde::{Deserialize, Serialize};
+use crate::convention::names::serialized_by_name;
+use serde::Deserialize;
+use strum::VariantNames;
 
 /// A convention that has a name of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "camelCase")]
 pub enum NamedConvention {
     /// [`Convention::HAMILTON`].
     Hamilton,
@@ -19,6 +23,8 @@ pub enum NamedConvention {
     /// [`Convention::MY_LAB`].
     MyLab,
 }
+
+serialized_by_name!(NamedConvention);
 
 impl NamedConvention {
     /// All five; the first two are the presets.

@@ -17,11 +17,14 @@ pub enum Side {
 }
 
 /// Whether an increment is the turn of the body or what a convention's own exponential takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray,
+)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 pub enum IncrementSign {
     /// δ, the right-handed turn of the body.
+    #[default]
     Physical,
     /// θ = σδ for quaternions, τδ for matrices: the logarithm of the error as it stands.
     Formal,

@@ -2,12 +2,13 @@
 
 use crate::convention::family::Family;
 use crate::convention::matrix::CosineMatrix;
+use crate::convention::names::serialized_by_name;
 use crate::convention::order::ComponentOrder;
 use crate::convention::side::{IncrementSign, Side};
 use crate::convention::{ComponentSign, Direction, Handedness, Perturbation, names};
 use crate::library::{Essentials, Library};
 use serde::{Deserialize, Serialize};
-use strum::VariantArray;
+use strum::{VariantArray, VariantNames};
 
 /// What a library does with four numbers, as far as numbers show it.
 ///
@@ -41,9 +42,11 @@ pub struct Behaviour {
 }
 
 /// One of the eight choices, under the name that its values have in [`Remaining`](crate::Remaining).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, VariantArray)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, VariantArray)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "camelCase")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "camelCase")]
 pub enum BehaviourAxis {
     /// [`Behaviour::constructor`]
     Constructor,
@@ -62,6 +65,8 @@ pub enum BehaviourAxis {
     /// [`Behaviour::increment_sign`]
     IncrementSign,
 }
+
+serialized_by_name!(BehaviourAxis);
 
 impl BehaviourAxis {
     /// All eight: first those of the library, then those of how it is used.

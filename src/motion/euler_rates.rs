@@ -1,10 +1,10 @@
 //! Euler angle rates: to angular velocity, and back except at gimbal lock.
 
-use crate::convention::euler_sequence::{Axis, EulerFrame, EulerSequence};
+use crate::convention::euler_sequence::{EulerFrame, EulerSequence};
 use crate::motion::kinematics::RateAxes;
+use crate::rotation::NoRotation;
 use crate::rotation::euler::GIMBAL_LOCK_RAD;
-use crate::rotation::{NoRotation, Rotation};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Unit, UnitQuaternion, Vector3};
 use std::fmt;
 
 /// The angle rates are infinite: the axes of the three angles lie in a plane.
@@ -48,28 +48,29 @@ impl EulerSequence {
         angles_rad: [f64; 3],
         axes: RateAxes,
     ) -> Result<Matrix3<f64>, NoRotation> {
-        let unit = |axis: Axis| {
-            let mut vector = Vector3::zeros();
-            vector[axis.index()] = 1.0;
-            vector
-        };
-        let names = self.axes.axes();
-        // The turns from the outermost inwards, and the places of their angles.
-        let places = match self.frame {
-            EulerFrame::Intrinsic => [0, 1, 2],
-            EulerFrame::Extrinsic => [2, 1, 0],
-        };
-        let mut matrix = Matrix3::zeros();
-        let mut outer = Rotation::identity();
-        for place in places {
-            matrix.set_column(place, &outer.body_to_world(unit(names[place])));
-            let axis = unit(names[place]).into();
-            outer = outer * Rotation::from_axis_angle(axis, angles_rad[place])?;
+        if !angles_rad.iter().all(|angle| angle.is_finite()) {
+            return Err(NoRotation);
         }
-        Ok(match axes {
-            RateAxes::World => matrix,
-            RateAxes::Body => outer.world_to_body_matrix() * matrix,
-        })
+        // The turns from the outermost inwards on the world's axes, and back from the innermost on the
+        // body's; those that are passed turn the axis of the next.
+        let (mut places, forward) = match axes {
+            RateAxes::World => ([0, 1, 2], 1.0),
+            RateAxes::Body => ([2, 1, 0], -1.0),
+        };
+        if self.frame == EulerFrame::Extrinsic {
+            places.reverse();
+        }
+        let names = self.axes.axes();
+        let mut matrix = Matrix3::zeros();
+        let mut passed = UnitQuaternion::identity();
+        for place in places {
+            let mut axis = Vector3::zeros();
+            axis[names[place].index()] = 1.0;
+            matrix.set_column(place, &(passed * axis));
+            let angle = forward * angles_rad[place];
+            passed *= UnitQuaternion::from_axis_angle(&Unit::new_unchecked(axis), angle);
+        }
+        Ok(matrix)
     }
 
     /// The angle rates for an angular velocity, in the order of the sequence.
@@ -95,16 +96,31 @@ impl EulerSequence {
         rate_rad: [f64; 3],
         axes: RateAxes,
     ) -> Result<[f64; 3], SingularRates> {
-        let map = self
-            .rate_matrix(angles_rad, axes)
-            .map_err(|_| SingularRates { determinant: 0.0 })?;
-        let determinant = map.determinant();
-        if determinant.abs() <= GIMBAL_LOCK_RAD {
-            return Err(SingularRates { determinant });
-        }
-        map.lu()
-            .solve(&Vector3::from(rate_rad))
-            .map(Into::into)
-            .ok_or(SingularRates { determinant })
+        let (rates, determinant) = self.rates_and_determinant(angles_rad, rate_rad, axes);
+        rates.ok_or(SingularRates { determinant })
+    }
+
+    /// The angle rates, unless they are infinite, and the determinant of the matrix of the rates.
+    pub(crate) fn rates_and_determinant(
+        self,
+        angles_rad: [f64; 3],
+        rate_rad: [f64; 3],
+        axes: RateAxes,
+    ) -> (Option<[f64; 3]>, f64) {
+        let Ok(map) = self.rate_matrix(angles_rad, axes) else {
+            return (None, 0.0);
+        };
+        // By Cramer's rule, as the determinant is of use in itself.
+        let [first, middle, third] = [map.column(0), map.column(1), map.column(2)];
+        let across = [
+            middle.cross(&third),
+            third.cross(&first),
+            first.cross(&middle),
+        ];
+        let determinant = first.dot(&across[0]);
+        let rate = Vector3::from(rate_rad);
+        let rates = across.map(|normal| normal.dot(&rate) / determinant);
+        let is_free = determinant.abs() > GIMBAL_LOCK_RAD;
+        (is_free.then_some(rates), determinant)
     }
 }

@@ -20,7 +20,7 @@ use crate::motion::kinematics::RateAxes;
 use crate::rotation::precise::Norm;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::rotation_vector::{left_jacobian_inverse, right_jacobian_inverse};
-use nalgebra::{Quaternion, SVector, Vector3};
+use nalgebra::{Quaternion, Vector3, Vector4};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -80,15 +80,28 @@ impl TaggedQuaternion {
         time: f64,
         step: f64,
     ) -> Result<Self, NoStep> {
+        let end = self.runge_kutta_sum(&rate_rad, axes, time, step)?;
+        end.normalize().ok_or(NoStep::NotFinite)
+    }
+
+    /// The same before it is divided by its norm, which is 1 but for an error of fifth order.
+    pub(crate) fn runge_kutta_sum(
+        &self,
+        rate_rad: &dyn Fn(f64) -> Vector3<f64>,
+        axes: RateAxes,
+        time: f64,
+        step: f64,
+    ) -> Result<Self, NoStep> {
         let of = |coords| Self {
             components: Quaternion { coords },
             ..*self
         };
         let start = self.normalize().ok_or(NoStep::NotFinite)?.components.coords;
-        let derivative =
-            |time, coords| Ok(of(coords).derivative(rate_rad(time).into(), axes).coords);
-        let end = runge_kutta(time, step, start, derivative)?;
-        of(end).normalize().ok_or(NoStep::NotFinite)
+        let derivative = |time, coords: Numbers| {
+            let rate = rate_rad(time).into();
+            Ok(of(coords).derivative(rate, axes).coords)
+        };
+        runge_kutta(time, step, start, &derivative).map(of)
     }
 }
 
@@ -123,15 +136,16 @@ impl EulerSequence {
         time: f64,
         step: f64,
     ) -> Result<[f64; 3], NoStep> {
-        let derivative = |time, angles: Vector3<f64>| {
+        let derivative = |time, angles: Numbers| {
             if !is_finite(&angles) {
                 return Err(NoStep::NotFinite);
             }
-            self.angle_rates(angles.into(), rate_rad(time).into(), axes)
-                .map(Vector3::from)
+            self.angle_rates(angles.xyz().into(), rate_rad(time).into(), axes)
+                .map(|rates| Vector3::from(rates).push(0.0))
                 .map_err(|_| NoStep::Singular)
         };
-        runge_kutta(time, step, angles_rad.into(), derivative).map(Into::into)
+        let start = Vector3::from(angles_rad).push(0.0);
+        runge_kutta(time, step, start, &derivative).map(|end| end.xyz().into())
     }
 }
 
@@ -165,18 +179,19 @@ pub fn rotation_vector_runge_kutta_step(
     time: f64,
     step: f64,
 ) -> Result<Vector3<f64>, NoStep> {
-    let derivative = |time, vector: Vector3<f64>| {
+    let derivative = |time, vector: Numbers| {
         if !is_finite(&vector) {
             return Err(NoStep::NotFinite);
         }
         let inverse = match axes {
-            RateAxes::Body => right_jacobian_inverse(&vector),
-            RateAxes::World => left_jacobian_inverse(&vector),
+            RateAxes::Body => right_jacobian_inverse(&vector.xyz()),
+            RateAxes::World => left_jacobian_inverse(&vector.xyz()),
         };
-        Ok(inverse.ok_or(NoStep::Singular)? * rate_rad(time))
+        let slope = inverse.ok_or(NoStep::Singular)? * rate_rad(time);
+        Ok(slope.push(0.0))
     };
-    let start = within_half_a_turn(vector_rad)?;
-    within_half_a_turn(runge_kutta(time, step, start, derivative)?)
+    let start = within_half_a_turn(vector_rad)?.push(0.0);
+    within_half_a_turn(runge_kutta(time, step, start, &derivative)?.xyz())
 }
 
 /// The shortest vector of the same turn, up to π long.
@@ -192,22 +207,27 @@ fn within_half_a_turn(vector_rad: Vector3<f64>) -> Result<Vector3<f64>, NoStep> 
     Ok(vector_rad * (1.0 - whole_turns * TAU / angle))
 }
 
+/// Four components, or three numbers and 0: one size, so that the method is compiled once.
+type Numbers = Vector4<f64>;
+
 /// The numbers one step later by the classical Runge–Kutta method; never such as are not finite.
-fn runge_kutta<const COUNT: usize>(
+fn runge_kutta(
     time: f64,
     step: f64,
-    start: SVector<f64, COUNT>,
-    derivative: impl Fn(f64, SVector<f64, COUNT>) -> Result<SVector<f64, COUNT>, NoStep>,
-) -> Result<SVector<f64, COUNT>, NoStep> {
-    let middle = time + step / 2.0;
-    let first = derivative(time, start)?;
-    let second = derivative(middle, start + first * (step / 2.0))?;
-    let third = derivative(middle, start + second * (step / 2.0))?;
-    let fourth = derivative(time + step, start + third * step)?;
-    let end = start + (first + (second + third) * 2.0 + fourth) * (step / 6.0);
+    start: Numbers,
+    derivative: &dyn Fn(f64, Numbers) -> Result<Numbers, NoStep>,
+) -> Result<Numbers, NoStep> {
+    let mut slope = Numbers::zeros();
+    let mut sum = Numbers::zeros();
+    for (part, weight) in [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
+        let forward = part * step;
+        slope = derivative(time + forward, start + slope * forward)?;
+        sum += slope * weight;
+    }
+    let end = start + sum * (step / 6.0);
     is_finite(&end).then_some(end).ok_or(NoStep::NotFinite)
 }
 
-fn is_finite<const COUNT: usize>(numbers: &SVector<f64, COUNT>) -> bool {
+fn is_finite(numbers: &Numbers) -> bool {
     numbers.iter().all(|number| number.is_finite())
 }

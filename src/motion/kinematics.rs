@@ -6,17 +6,21 @@
 //! derivative of `q∘Exp(σδ)` is `(σ/2) q∘ω` (specification, FX-25 and table 2.2).
 
 use crate::convention::side::{IncrementSign, Side};
-use crate::convention::{Convention, Perturbation};
-use crate::rotation::quaternion::{self, TaggedQuaternion};
+use crate::convention::{Convention, Handedness, Perturbation};
+use crate::rotation::quaternion::TaggedQuaternion;
 use crate::rotation::tagged_matrix::TaggedMatrix;
 use crate::rotation::{NoRotation, Rotation};
 use nalgebra::{Matrix3, Matrix3x4, Matrix4, Quaternion, Vector3};
+use serde::{Deserialize, Serialize};
 
 /// On which axes an angular velocity is given.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "kebab-case")]
 #[doc(alias("gyroscope", "angular rate"))]
 pub enum RateAxes {
     /// The axes of the body: `ω_B`.
+    #[default]
     Body,
     /// The axes of the world: `ω_W`.
     World,
@@ -24,7 +28,7 @@ pub enum RateAxes {
 
 impl RateAxes {
     /// The increments that are on the same axes.
-    const fn perturbation(self) -> Perturbation {
+    pub(crate) const fn perturbation(self) -> Perturbation {
         match self {
             Self::Body => Perturbation::Local,
             Self::World => Perturbation::Global,
@@ -41,6 +45,33 @@ pub enum IntegrationOrder {
     Second,
     /// The rates at the two Gauss points, with the term by which turns do not commute (Magnus).
     Fourth,
+}
+
+impl IntegrationOrder {
+    /// The rotation vector of a step, see [`Rotation::step`].
+    pub(crate) fn turn_rad(
+        self,
+        rate_rad: &dyn Fn(f64) -> Vector3<f64>,
+        axes: RateAxes,
+        time: f64,
+        step: f64,
+    ) -> Vector3<f64> {
+        match self {
+            Self::First => rate_rad(time) * step,
+            Self::Second => rate_rad(time + step / 2.0) * step,
+            Self::Fourth => {
+                let root = 3.0_f64.sqrt();
+                let early = rate_rad(time + (0.5 - root / 6.0) * step);
+                let late = rate_rad(time + (0.5 + root / 6.0) * step);
+                let commutator = early.cross(&late) * (root / 12.0 * step * step);
+                let mean = (early + late) * (step / 2.0);
+                match axes {
+                    RateAxes::Body => mean + commutator,
+                    RateAxes::World => mean - commutator,
+                }
+            }
+        }
+    }
 }
 
 impl Convention {
@@ -106,10 +137,13 @@ impl TaggedQuaternion {
     #[doc(alias("q_dot", "qdot"))]
     pub fn derivative(&self, rate_rad: [f64; 3], axes: RateAxes) -> Quaternion<f64> {
         let rate = self.convention.signed_rate(rate_rad).components;
-        let hand = self.convention.handedness;
-        let product = match self.convention.rate_side(axes) {
-            Side::Right => quaternion::product(hand, &self.components, &rate),
-            Side::Left => quaternion::product(hand, &rate, &self.components),
+        // p ⊗ q = q ⊙ p (Cheng 2018, eq. 2.4), and nalgebra multiplies as Hamilton.
+        let is_right = self.convention.rate_side(axes) == Side::Right;
+        let is_hamilton = self.convention.handedness == Handedness::Right;
+        let product = if is_right == is_hamilton {
+            self.components * rate
+        } else {
+            rate * self.components
         };
         product / 2.0
     }
@@ -227,21 +261,7 @@ impl Rotation {
         step: f64,
         order: IntegrationOrder,
     ) -> Result<Self, NoRotation> {
-        let turn = match order {
-            IntegrationOrder::First => rate_rad(time) * step,
-            IntegrationOrder::Second => rate_rad(time + step / 2.0) * step,
-            IntegrationOrder::Fourth => {
-                let root = 3.0_f64.sqrt();
-                let early = rate_rad(time + (0.5 - root / 6.0) * step);
-                let late = rate_rad(time + (0.5 + root / 6.0) * step);
-                let commutator = early.cross(&late) * (root / 12.0 * step * step);
-                let mean = (early + late) * (step / 2.0);
-                match axes {
-                    RateAxes::Body => mean + commutator,
-                    RateAxes::World => mean - commutator,
-                }
-            }
-        };
+        let turn = order.turn_rad(&rate_rad, axes, time, step);
         self.turned_by_rad(turn.into(), axes)
     }
 

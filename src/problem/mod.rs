@@ -15,16 +15,19 @@ pub(crate) mod sentences;
 /// A text to write in place of one with a problem.
 pub mod suggestion;
 
+use crate::convention::names::serialized_by_name;
 use crate::problem::suggestion::{Suggestion, Suggestions};
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::ops::Range;
 use strum::VariantNames;
 
 /// Which text of a request a problem or a note is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[derive(VariantNames)]
+#[strum(serialize_all = "kebab-case")]
 pub enum Field {
     /// The quaternion of the Read view.
     Quaternion,
@@ -82,7 +85,21 @@ pub enum Field {
     /// A point in the frame that is asked about.
     #[cfg(feature = "whole")]
     Point,
+    /// An angular velocity.
+    #[cfg(feature = "whole")]
+    Rate,
+    /// The angular velocity at the end.
+    #[cfg(feature = "whole")]
+    RateEnd,
+    /// How long a motion lasts.
+    #[cfg(feature = "whole")]
+    Duration,
+    /// A small turn.
+    #[cfg(feature = "whole")]
+    Increment,
 }
+
+serialized_by_name!(Field);
 
 /// The most bytes of text that are read: far more than any quaternion, few enough to answer at once.
 pub(crate) const MAX_TEXT_BYTES: usize = 131_072;
@@ -253,20 +270,18 @@ pub enum ProblemCode {
     /// More poses than are read.
     #[cfg(feature = "whole")]
     TooManyPoses,
+    /// A rate, a small turn or a duration outside of what is answered.
+    #[cfg(feature = "whole")]
+    OutOfBounds,
 }
+
+serialized_by_name!(ProblemCode);
 
 impl ProblemCode {
     /// The stable name, as it is written in JavaScript and in the test files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         <Self as VariantNames>::VARIANTS[self as usize]
-    }
-}
-
-/// By the list of names; what is derived has the code of a case for each.
-impl Serialize for ProblemCode {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_unit_variant("ProblemCode", *self as u32, self.name())
     }
 }
 

@@ -1,8 +1,10 @@
 //! A text to write in place of one that has a problem, or of which a note asks what it means.
 
+use crate::convention::names::serialized_by_name;
 #[cfg(not(feature = "whole"))]
 use serde::Serializer;
 use serde::{Deserialize, Serialize};
+use strum::VariantNames;
 
 /// A whole text to write in place of one that has a problem, or of which a note asks what it means.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -57,9 +59,10 @@ pub(crate) fn none<S: Serializer>(
 }
 
 /// What a [`Suggestion`] does to a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, VariantNames)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Remedy {
     /// Brackets are closed, replaced by their match, or removed where they close nothing.
@@ -110,3 +113,5 @@ pub enum Remedy {
     /// The pose of a frame, the text, in another one, the label, is added.
     AddPose,
 }
+
+serialized_by_name!(Remedy);

@@ -209,10 +209,9 @@ pub fn right_jacobian(vector_rad: &Vector3<f64>) -> Matrix3<f64> {
         return Matrix3::identity();
     };
     // On the unit axis, as θ² of a long vector would be larger than any double.
-    let k = axis.cross_matrix();
     let half_sine = libm::sin(angle / 2.0);
     let linear = 2.0 * half_sine * (half_sine / angle);
-    Matrix3::identity() - k * linear + k * k * one_minus_sinc(angle)
+    in_powers(&axis, -linear, one_minus_sinc(angle))
 }
 
 /// The left Jacobian `J_l(v) = J_r(−v)`: world rate from the rate of the vector, `ω_W = J_l v̇`.
@@ -238,8 +237,7 @@ pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>>
     let Some(axis) = precise::direction(vector_rad) else {
         return Some(Matrix3::identity());
     };
-    let k = axis.cross_matrix();
-    let inverse = Matrix3::identity() + k * (angle / 2.0) + k * k * one_minus_half_cotangent(angle);
+    let inverse = in_powers(&axis, angle / 2.0, one_minus_half_cotangent(angle));
     let is_finite = inverse.iter().all(|entry| entry.is_finite());
     is_finite.then_some(inverse)
 }
@@ -249,6 +247,12 @@ pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>>
 #[must_use]
 pub fn left_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>> {
     right_jacobian_inverse(&-vector_rad)
+}
+
+/// `I + a K + b K²` with `K = [u]×`.
+fn in_powers(axis: &Vector3<f64>, linear: f64, quadratic: f64) -> Matrix3<f64> {
+    let k = axis.cross_matrix();
+    Matrix3::identity() + k * linear + k * k * quadratic
 }
 
 /// `1 − sin(θ)/θ`

@@ -154,6 +154,10 @@ mod readers;
 #[cfg(feature = "whole")]
 mod record;
 
+// The units of rates, small turns and times.
+#[cfg(feature = "whole")]
+pub(crate) mod units;
+
 // Words and names that are known.
 mod vocabulary;
 

@@ -9,6 +9,7 @@ use js_sys::{JsString, Reflect};
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "libraries")]
 use {
+    crate::decimal::shortest,
     crate::wasm::list::{List, numbers_as_text},
     crate::wasm::refusal::refused,
     serde::de::{DeserializeOwned, IntoDeserializer},
@@ -225,6 +226,38 @@ impl<'r> Members<'r> {
             return Ok(None);
         }
         named(&value, &self.path_to(name)).map(Some)
+    }
+
+    /// The place of one of these names; the first where the member is undefined.
+    #[cfg(feature = "whole")]
+    pub(crate) fn place_or_first(&self, name: &str, names: &[&str]) -> Typed<usize> {
+        let value = self.value(name)?;
+        if value.is_undefined() {
+            return Ok(0);
+        }
+        let path = self.path_to(name);
+        let chosen = word(&value, &path)?;
+        let place = names.iter().position(|&known| known == chosen);
+        place.ok_or_else(|| no_such_choice(&path, &chosen, names))
+    }
+
+    /// A whole number from 1 to the most; nothing where the member is undefined.
+    #[cfg(feature = "whole")]
+    pub(crate) fn count_if_any(&self, name: &str, most: u32) -> Typed<Option<u32>> {
+        let value = self.value(name)?;
+        if value.is_undefined() {
+            return Ok(None);
+        }
+        let path = self.path_to(name);
+        let told = value.as_f64();
+        let told = told.ok_or_else(|| not_of_kind(&value, &path, "a number"))?;
+        let count = (1..=most).find(|&count| f64::from(count) == told);
+        count.map(Some).ok_or_else(|| {
+            let told = shortest(told);
+            refused(&format!(
+                "`{path}` is {told}, not a whole number from 1 to {most}"
+            ))
+        })
     }
 
     /// The elements of a list that are all of these; none where the member is undefined.

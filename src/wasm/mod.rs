@@ -22,6 +22,10 @@ mod list;
 // The members of objects of JavaScript.
 mod members;
 
+// What moves an attitude, from JavaScript.
+#[cfg(feature = "whole")]
+mod motion_request;
+
 // What is thrown at a caller.
 mod refusal;
 
@@ -70,6 +74,11 @@ use {
     },
     crate::wasm::request::{COMPOSE, READ},
 };
+#[cfg(feature = "whole")]
+use {
+    crate::analyze::motion::motion,
+    crate::wasm::motion_request::{MOTION, motion_request},
+};
 
 #[cfg(feature = "whole")]
 use {
@@ -85,7 +94,7 @@ const VIEW: &str = "view";
 const STATUS: &str = "status";
 
 #[cfg(feature = "whole")]
-const VIEWS: [&str; 11] = [
+const VIEWS: [&str; 12] = [
     "read",
     "compose",
     "translate",
@@ -97,6 +106,7 @@ const VIEWS: [&str; 11] = [
     "atlas",
     "swing-twist",
     "frames",
+    "motion",
 ];
 #[cfg(all(feature = "libraries", not(feature = "whole")))]
 const VIEWS: [&str; 6] = [
@@ -112,7 +122,7 @@ const VIEWS: [&str; 2] = ["read", "compose"];
 
 /// The members of all requests.
 #[cfg(feature = "whole")]
-const KNOWN: [&[&str]; 11] = [
+const KNOWN: [&[&str]; 12] = [
     &READ,
     &COMPOSE,
     &TRANSLATE,
@@ -124,6 +134,7 @@ const KNOWN: [&[&str]; 11] = [
     &ATLAS,
     &SWING_TWIST,
     &FRAMES,
+    &MOTION,
 ];
 #[cfg(all(feature = "libraries", not(feature = "whole")))]
 const KNOWN: [&[&str]; 6] = [&READ, &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS, &MATRICES];
@@ -286,6 +297,17 @@ fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
         "frames" => {
             let request = frames_request(&members)?;
             with_status(&view, &frames_of_whole_texts(&request, &texts))
+        }
+        #[cfg(feature = "whole")]
+        "motion" => {
+            let request = motion_request(&members)?;
+            answer(&view, motion(&request), &texts, &|field, _| match field {
+                Field::Rate => &request.rate,
+                Field::RateEnd => &request.rate_end,
+                Field::Duration => &request.duration,
+                Field::Increment => &request.increment,
+                _ => &request.quaternion,
+            })
         }
         _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
     }

@@ -159,5 +159,13 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Position => "position",
         #[cfg(feature = "whole")]
         Field::Point => "point",
+        #[cfg(feature = "whole")]
+        Field::Rate => "rate",
+        #[cfg(feature = "whole")]
+        Field::RateEnd => "rateEnd",
+        #[cfg(feature = "whole")]
+        Field::Duration => "duration",
+        #[cfg(feature = "whole")]
+        Field::Increment => "increment",
     }
 }

@@ -8,4 +8,5 @@ mod between;
 mod chain;
 mod frames;
 mod golden;
+mod motion;
 mod swing_twist;

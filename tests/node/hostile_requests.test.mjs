@@ -97,6 +97,20 @@ const good = {
     matrix: { function: "passive", direction: "body-to-world" },
     euler: { axes: "zyx", frame: "intrinsic" },
   }),
+  motion: () => ({
+    view: "motion",
+    quaternion: "0.8 0 0 0.6",
+    convention: { ...HAMILTON },
+    matrix: { function: "passive", direction: "body-to-world" },
+    euler: { axes: "zyx", frame: "intrinsic" },
+    rate: "0.1 0.2 0.3",
+    rateEnd: "0.2 0.1 0 rad/s",
+    rateAxes: "world",
+    duration: "2 s",
+    steps: 4,
+    increment: "0.01 0 0",
+    incrementSign: "formal",
+  }),
   frames: () => ({
     view: "frames",
     poses: [
@@ -221,7 +235,9 @@ test("a value of another type is named at every member", () => {
           const isText = typeof place[name] === "string" && !isName && !("order" in place);
           if (isText && (typeof value === "number" || Array.isArray(value))) continue;
           place[name] = value;
-          const words = typeof value === "object" && value !== null ? /`/ : /` is (a|null)/;
+          const isNumber = name === "steps" && typeof value === "number";
+          const isNamed = isNumber || (typeof value === "object" && value !== null);
+          const words = isNamed ? /`/ : /` is (a|null)/;
           checkRefused(request, words, `${view}.${name} ${String(value)}`);
           checked += 1;
         }
@@ -238,6 +254,7 @@ test("a member that is missing is named, unless it may be", () => {
     numbers: /^quaternion$/,
     matrices: /^(?!view$)/,
     frames: /^(point|position)$/,
+    motion: /^(rate|rateEnd|rateAxes|duration|steps|increment|incrementSign)$/,
   };
   for (const view of views) {
     for (const [at, { object, path }] of [...objectsIn(good[view]())].entries()) {

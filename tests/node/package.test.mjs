@@ -60,6 +60,7 @@ test("import and require give the same instance", () => {
     "identifyMatrices",
     "identifyNumbers",
     "libraries",
+    "motion",
     "read",
     "swingTwist",
     "translate",

@@ -18,6 +18,8 @@ import {
   type Library,
   type MatricesReport,
   type MatricesRequest,
+  type MotionReport,
+  type MotionRequest,
   type NumbersReport,
   type NumbersRequest,
   type Outcome,
@@ -344,6 +346,37 @@ export function frames(request: FramesRequest): FramesReport {
     status: "frames";
   } & FramesReport;
   return report;
+}
+
+/**
+ * What moves an attitude: a small turn in every convention, the derivatives at an angular velocity, and the
+ * path over time, with the integrators compared and what goes wrong. What is not given is not answered.
+ *
+ * Rates are right-handed, of the body against the world, in rad/s where no unit is written. What is typed
+ * never throws, see `analyze`.
+ *
+ * @example
+ * // A gyroscope about the body's x, of a body that is yawed by a quarter turn; JPL.
+ * const { derivative, path } = motion({
+ *   quaternion: [0, 0, Math.SQRT1_2, Math.SQRT1_2],
+ *   convention: JPL,
+ *   rate: "90 0 0 deg/s",
+ *   duration: "1 s",
+ * });
+ * derivative.quaternions[0].side; // "left": ½ ω ⊗ q
+ * derivative.worldRad[1]; // 1.5708: about the world's y
+ * path.end.array; // [0.5, 0.5, 0.5, 0.5]
+ * Math.round(path.mistakes[0].angleDeg); // 120: the rate on the other side
+ *
+ * // A small turn of the body, which Hamilton multiplies on the right.
+ * const { increment } = motion({ quaternion: "1 0 0 0", convention: HAMILTON, increment: "1 0 0 deg" });
+ * increment.plus[0].side; // "right": q ⊙ δq
+ * increment.plus[0].quaternion.x; // 0.0087265
+ */
+export function motion(
+  request: MotionRequest,
+): ({ status: "motion" } & MotionReport) | ({ status: "problems" } & Problems) {
+  return answer(request, "motion") as ReturnType<typeof motion>;
 }
 
 /** The value, in which nothing can be changed: one record serves all who ask for it. */

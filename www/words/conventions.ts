@@ -39,6 +39,10 @@ export const symbolOf: Record<Field, string> = {
   rotation: "rotation",
   position: "position",
   point: "point",
+  rate: "ω",
+  "rate-end": "ω at the end",
+  duration: "duration",
+  increment: "δ",
 };
 
 /** The four numbers in an order. */

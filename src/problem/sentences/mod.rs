@@ -23,6 +23,10 @@ mod mark;
 // Of matrices.
 pub(crate) mod matrix;
 
+// Of rates, small turns and times.
+#[cfg(feature = "whole")]
+mod motion;
+
 // Of quaternions whose norm is not that of a rotation.
 mod norm;
 

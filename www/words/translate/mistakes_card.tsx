@@ -6,7 +6,7 @@ export const title = "What goes wrong with these numbers";
 export const none = "no difference with these numbers; others show the mistake";
 export const off = (angle: ComponentChildren) => <>{angle} off</>;
 
-const mistakeWords: Record<MistakeKind, string> = {
+const mistakeWords: Partial<Record<MistakeKind, string>> = {
   copied: "copied as they are",
   "not-reordered": "not reordered",
   "not-conjugated": "not conjugated",
@@ -21,5 +21,5 @@ export function mistakeOf(kind: MistakeKind, change: TranslateReport["change"]):
     if (kind === "not-reordered") return "conjugated, but not reordered";
     if (kind === "not-conjugated") return "reordered, but not conjugated";
   }
-  return mistakeWords[kind];
+  return mistakeWords[kind] ?? kind;
 }

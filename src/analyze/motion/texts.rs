@@ -1,0 +1,81 @@
+//! The texts of rates, small turns and times, in the units of reports.
+
+use crate::analyze::attitude::unit_assumed;
+use crate::contract::{Fact, Note};
+use crate::convention::angle::AngleUnit;
+use crate::problem::fault::Fault;
+use crate::problem::{Field, Problem, Span};
+use crate::text::mend::unit::UnitTexts;
+use crate::text::units::{OF_RATES, OF_TIMES, OF_TURNS, without_unit};
+use crate::text::{parse_number, parse_vector};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// No body turns faster, and all that is computed of it fits into a double.
+const MOST: f64 = 1e9;
+
+/// Of less, two moments would have one time.
+const SHORTEST_S: f64 = 1e-100;
+
+/// What is read of the texts of one request.
+#[derive(Default)]
+pub(super) struct Reader {
+    pub(super) problems: Vec<Problem>,
+    pub(super) notes: Vec<Note>,
+}
+
+impl Reader {
+    /// Three numbers in rad/s, or of an increment in rad; none where the text is empty or has a problem.
+    ///
+    /// Without a unit they are in radians, as those of a rotation vector; beyond a full turn that is asked.
+    pub(super) fn vector(&mut self, text: &str, field: Field) -> Option<Vector3<f64>> {
+        if text.trim().is_empty() {
+            return None;
+        }
+        let (units, per) = match field {
+            Field::Increment => (OF_TURNS, ""),
+            _ => (OF_RATES, "/s"),
+        };
+        let (numbers, unit) = without_unit(text, units);
+        let read = parse_vector(numbers).map_err(|fault| fault.in_field(field));
+        let vector = self.unless_problem(read)? * unit.unwrap_or(1.0);
+        if vector.amax() > MOST {
+            self.refuse(Fault::too_fast(Span::of_trimmed(text)), field);
+        }
+        if unit.is_none() && vector.amax() > TAU {
+            let texts = UnitTexts {
+                in_degrees: Some(format!("{numbers} deg{per}")),
+                in_radians: Some(format!("{numbers} rad{per}")),
+            };
+            let fact = Fact::AngleUnitAssumed(unit_assumed(AngleUnit::Radians, texts));
+            self.notes.push(Note::new(field, fact));
+        }
+        Some(vector)
+    }
+
+    /// A time above zero, in seconds.
+    pub(super) fn duration(&mut self, text: &str) -> Option<f64> {
+        if text.trim().is_empty() {
+            return None;
+        }
+        let (number, unit) = without_unit(text, OF_TIMES);
+        let read = parse_number(number).map_err(|fault| fault.in_field(Field::Duration));
+        let seconds = self.unless_problem(read)? * unit.unwrap_or(1.0);
+        if seconds < SHORTEST_S {
+            self.refuse(
+                Fault::not_a_duration(Span::of_trimmed(text)),
+                Field::Duration,
+            );
+        }
+        Some(seconds)
+    }
+
+    pub(super) fn refuse(&mut self, fault: Fault, field: Field) {
+        self.problems.push(fault.in_field(field));
+    }
+
+    /// What was read, unless there was a problem.
+    pub(super) fn unless_problem<Read>(&mut self, read: Result<Read, Problem>) -> Option<Read> {
+        read.map_err(|problem| self.problems.push(problem)).ok()
+    }
+}

@@ -1,0 +1,36 @@
+//! The sentences of rates, small turns and times.
+
+use crate::problem::fault::Fault;
+use crate::problem::{ProblemCode, Span};
+
+impl Fault {
+    pub(crate) fn not_a_duration(span: Span) -> Self {
+        Self::new(
+            ProblemCode::OutOfBounds,
+            span,
+            "nothing moves in this time",
+            "a duration above zero",
+            "write a positive number: 10 s, 500 ms or 2 min",
+        )
+    }
+
+    pub(crate) fn turns_too_far(span: Span) -> Self {
+        Self::new(
+            ProblemCode::OutOfBounds,
+            span,
+            "more than 100 turns in this time",
+            "a duration in which the body can be followed",
+            "write a shorter time, or check the unit of the rate",
+        )
+    }
+
+    pub(crate) fn too_fast(span: Span) -> Self {
+        Self::new(
+            ProblemCode::OutOfBounds,
+            span,
+            "a number above 1e9",
+            "numbers in radians, degrees or turns",
+            "check the unit, and the exponents",
+        )
+    }
+}

@@ -52,6 +52,8 @@ test("between p and q: what they are to each other, how far, and the way by a sl
   await expectRow(card, "on the body's axes", [-0.38744, 1.273941, -0.064952]);
   await expectRow(card, "on the world's axes", [-1.243625, 0.30896, -0.367691]);
   await expectRow(card, "angle (geodesic)", [76.383154]);
+  const copied = card.getByRole("button", { name: "Copy angle (geodesic)" });
+  await expect(copied).toHaveAttribute("title", /^76\.38315377093/);
   await expectRow(card, "chordal", [1.748796]);
   await expectRow(card, "‖p − q‖", [0.654297]);
   await expectRow(card, "‖p + q‖", [1.889946]);

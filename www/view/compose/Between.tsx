@@ -136,7 +136,7 @@ function Differences({ store, report }: { store: Store; report: BetweenReport })
         <ScalarRow
           store={store}
           name={words.geodesic}
-          number={local.angleRad}
+          number={unit === "degrees" ? local.angleDeg : local.angleRad}
           words={shownAngle(fromRadians(local.angleRad), digits, unit)}
         />
         <ScalarRow store={store} name={words.chordal} number={report.chordalDistance} />

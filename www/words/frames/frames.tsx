@@ -58,7 +58,7 @@ export const orderIs = {
   jpl: "JPL, world to body: the same numbers in reverse order.",
 };
 export const pointsName = "The point in every frame";
-export const closesName = "Rows beyond those that are needed";
+export const closesName = "Rows that have to agree";
 export const loop = (at: number, angle: string, distance: string | undefined, way: string) =>
   `Row ${at + 1} against the way ${way}: ${angle}${distance === undefined ? "" : ` and ${distance}`} apart.`;
 export const agrees = (at: number, way: string) => `Row ${at + 1} agrees with the way ${way}.`;
@@ -67,12 +67,8 @@ export const inverseCloses = (at: number) =>
 export const transposeCloses = (at: number) =>
   `With the inverse rotation in row ${at + 1} they agree: is it of another convention?`;
 export const mistakeName = "What goes wrong";
-export const mistake = (
-  <>
-    The position of an inverted row is turned back too. Only subtracted, as Yoosefian 2021 prints it
-    (<sup>G</sup>R<sub>C2</sub> for <sup>G</sup>R<sub>I2</sub> in the last term), it gives
-  </>
-);
+export const mistake =
+  "The position of an inverted row is turned back too. Only subtracted, as Yoosefian 2021 prints the last term of the position, it gives";
 export const off = (distance: string) => `, ${distance} off.`;
 export const more = "Matrices and angles";
 export const homogeneous = "Homogeneous matrix";

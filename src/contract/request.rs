@@ -349,6 +349,19 @@ impl NumbersRequest {
 impl FramesRequest {
     /// The request without a point, with matrices child to parent and the Euler angles of the aerospace
     /// sequence.
+    ///
+    /// ```
+    /// use quatlas::{Convention, FramesRequest, GivenPose, Outcome, Request, analyze};
+    /// // A JPL filter, parent to child: the body I is turned by 90° about z in G, the camera C is 1 ahead of it.
+    /// let poses = vec![
+    ///     GivenPose::new("G", "I", "0 0 √½ √½", "5 0 0"),
+    ///     GivenPose::new("I", "C", "0 0 0 1", "1 0 0"),
+    /// ];
+    /// let request = FramesRequest::new(poses, "C", "G", Convention::JPL);
+    /// let Outcome::Frames(report) = analyze(&Request::Frames(request)) else { panic!("answered") };
+    /// // Ahead of the body is the y axis of G; as Hamilton's, or body to world, it would be at (5, −1, 0).
+    /// assert_eq!(report.answer.expect("they are joined").position, Some([5.0, 1.0, 0.0]));
+    /// ```
     #[must_use]
     pub fn new(poses: Vec<GivenPose>, child: &str, parent: &str, convention: Convention) -> Self {
         Self {

@@ -1,13 +1,6 @@
 // The Frames view: what is known between named frames, and where one stands in another, by keyboard.
 import type { Page } from "@playwright/test";
-import {
-  expect,
-  openEverything,
-  sidewaysScroll,
-  tabTo,
-  test,
-  violationsOf,
-} from "./support/page.ts";
+import { expect, sidewaysScroll, tabTo, test, violationsOf } from "./support/page.ts";
 
 const answer = (page: Page) => page.locator(".frames-answer");
 const asked = (page: Page) => page.getByRole("textbox", { name: "The frame that is asked about" });
@@ -26,7 +19,6 @@ test("opens on the rig of Yoosefian with the corrected last term, and shows the 
   expect(hamilton).toBe("qG I2 = qG I1 ⊙ qI1 C1 ⊙ qC1 C2 ⊙ qI2 C2*");
   expect(jpl).toBe("qG I2 = qI2 C2* ⊗ qC1 C2 ⊗ qI1 C1 ⊗ qG I1");
   await expect(page).toHaveTitle("I2 in G · Frames · quatlas");
-  await openEverything(page);
   expect(await violationsOf(page)).toEqual([]);
 });
 

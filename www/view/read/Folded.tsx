@@ -7,15 +7,15 @@ import type { Given } from "./FoldedBody.tsx";
 import "../parts/fold.css";
 
 const loadAtlas = () => import("./Atlas.tsx").then(({ Atlas }) => Atlas);
-const loadSwingTwist = () => import("./SwingTwist.tsx").then(({ SwingTwist }) => SwingTwist);
 const loadBody = () => import("./FoldedBody.tsx").then(({ FoldedBody }) => FoldedBody);
 
 export function Folded(given: Given) {
   const Body = useLater(loadBody);
+  const isTwisted = given.store.state.value.open.includes("swing-twist");
   return (
     <section class="folds" aria-label={words.more}>
       {words.parts.map((part) => (
-        <details key={part} class="fold">
+        <details key={part} class="fold" open={part === "tangents" && isTwisted}>
           <summary>{words.lines[part]}</summary>
           {typeof Body === "string" ? (
             <p class="fold-wait">{waits[Body]}</p>
@@ -25,12 +25,6 @@ export function Folded(given: Given) {
         </details>
       ))}
       <AskedFold store={given.store} name="atlas" summary={words.asked.atlas} load={loadAtlas} />
-      <AskedFold
-        store={given.store}
-        name="swing-twist"
-        summary={words.asked["swing-twist"]}
-        load={loadSwingTwist}
-      />
     </section>
   );
 }

@@ -11,12 +11,15 @@ import * as rulesWords from "../../words/parts/rules_list.tsx";
 import * as columnWords from "../../words/read/column.ts";
 import * as declaredWords from "../../words/read/declared.tsx";
 import * as factWords from "../../words/read/facts.ts";
-import type { FoldedPart } from "../../words/read/folded.ts";
+import { asked, type FoldedPart } from "../../words/read/folded.ts";
+import { AskedFold } from "../parts/AskedFold.tsx";
 import { Copy } from "../parts/Copy.tsx";
 import { editedMatrix } from "../parts/number_group.ts";
 import { MatrixOf, RulesList } from "../parts/RulesList.tsx";
 import { Matrix } from "../parts/Value.tsx";
 import "./folded.css";
+
+const loadSwingTwist = () => import("./SwingTwist.tsx").then(({ SwingTwist }) => SwingTwist);
 
 export interface Given {
   report: ReadReport;
@@ -32,7 +35,17 @@ export function FoldedBody({ of, ...given }: Given & { of: FoldedPart }) {
     case "paired":
       return <PairedMatrix {...given} />;
     case "tangents":
-      return <Tangents {...given} />;
+      return (
+        <>
+          <Tangents {...given} />
+          <AskedFold
+            store={given.store}
+            name="swing-twist"
+            summary={asked["swing-twist"]}
+            load={loadSwingTwist}
+          />
+        </>
+      );
   }
 }
 

@@ -7,7 +7,7 @@ export type FoldedPart = (typeof parts)[number];
 export const lines: Record<FoldedPart, string> = {
   products: "What each convention multiplies, and the product matrices",
   paired: "The matrix as chosen beside q",
-  tangents: "Gibbs vector and modified Rodrigues parameters",
+  tangents: "Gibbs vector and modified Rodrigues parameters; twist and swing",
 };
 
 /** Those that ask the whole core. */

@@ -14,7 +14,13 @@ const current = (page: Page) => page.locator("a[aria-current=page]").allTextCont
 
 test("Libraries opens on Translate, and then on the part that was used last", async ({ page }) => {
   await page.goto("/#read?quaternion=4+3+2+1");
-  await expect(page.locator(".views a")).toHaveText(["Read", "Compose", "Frames", "Libraries"]);
+  await expect(page.locator(".views a")).toHaveText([
+    "Read",
+    "Compose",
+    "Motion",
+    "Frames",
+    "Libraries",
+  ]);
   await expect(page.locator(".parts")).toHaveCount(0);
   await tab(page, "Libraries").click();
   await expect(page).toHaveURL(/#translate\?v=1&quaternion=4\+3\+2\+1$/);
@@ -57,7 +63,7 @@ test("on a phone the tabs are one row, and so are the parts; they stay where the
       );
   const before = await places();
   const rows = new Set(before.map(([, top]) => top));
-  expect(before).toHaveLength(7);
+  expect(before).toHaveLength(8);
   expect(rows.size).toBe(2);
   expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
   await part(page, "Identify").click();

@@ -37,6 +37,10 @@ export type TextName =
   | "q"
   | "vector"
   | "translated"
+  | "rate"
+  | "rateEnd"
+  | "duration"
+  | "increment"
   | "worldAxes"
   | "bodyAxes";
 
@@ -47,6 +51,9 @@ const textNames: Partial<Record<Field, TextName>> = {
   vector: "vector",
   "world-axes": "worldAxes",
   "body-axes": "bodyAxes",
+  rate: "rate",
+  "rate-end": "rateEnd",
+  increment: "increment",
 };
 
 function textNameOf(field: Field, view: View): TextName | undefined {

@@ -27,6 +27,11 @@ const texts = {
   factors: "factors",
   axis: "axis",
   frames: "frames",
+  rate: "rate",
+  rateEnd: "to-rate",
+  duration: "in",
+  increment: "increment",
+  motion: "motion",
   find: "find",
   library: "library",
 } as const satisfies Partial<Record<keyof PageState, string>>;

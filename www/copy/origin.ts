@@ -18,6 +18,10 @@ function textsOf(state: PageState): Record<string, string> {
   switch (state.view) {
     case "compose":
       return { p, q, vector, as, ...axes };
+    case "motion": {
+      const { rate, rateEnd, duration, increment } = state;
+      return { quaternion, rate, rateEnd, duration, increment, as, ...axes };
+    }
     case "frames":
       return { frames: state.frames, as, ...axes };
     case "translate":

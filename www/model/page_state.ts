@@ -10,7 +10,15 @@ import type {
 } from "../engine.ts";
 import { firstPicture, type PictureState } from "./picture_state.ts";
 
-export const views = ["read", "compose", "frames", "translate", "identify", "libraries"] as const;
+export const views = [
+  "read",
+  "compose",
+  "motion",
+  "frames",
+  "translate",
+  "identify",
+  "libraries",
+] as const;
 export type View = (typeof views)[number];
 /** The views that the core of the first load answers. */
 export const smallViews: readonly View[] = ["read", "compose"];
@@ -67,6 +75,13 @@ export interface PageState {
   factors: string;
   /** The axis of a twist. */
   axis: string;
+  /** The angular velocity at the beginning and at the end, how long it goes from one to the other, and a small turn. */
+  rate: string;
+  rateEnd: string;
+  duration: string;
+  increment: string;
+  /** The choices of the Motion view, as it writes them. */
+  motion: string;
   /** What is asked of named frames, and the poses between them, as the Frames view writes it. */
   frames: string;
   /** How the picture is shown. */
@@ -118,6 +133,11 @@ export const opening: PageState = {
   part: "0.5",
   factors: "",
   axis: "z",
+  rate: "0.3 -0.2 0.5",
+  rateEnd: "0.1 0.4 -0.6",
+  duration: "6 s",
+  increment: "0.02 -0.03 0.05",
+  motion: "",
   frames: "",
   picture: firstPicture,
   find: "",

@@ -5,6 +5,7 @@ import type { View } from "./page_state.ts";
 export const tabs = {
   read: ["read"],
   compose: ["compose"],
+  motion: ["motion"],
   frames: ["frames"],
   libraries: ["translate", "identify", "libraries"],
 } as const satisfies Record<string, readonly View[]>;

@@ -36,6 +36,7 @@ export function addressed(state: PageState, answer: Answer): PageState {
 function readOf(name: RotationText, answer: Answer): ReadQuaternion | undefined {
   switch (answer?.status) {
     case "read":
+    case "motion":
       return name === "quaternion" ? answer.quaternion : undefined;
     case "compose":
       return name === "p" || name === "q" ? answer[name] : undefined;

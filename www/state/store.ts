@@ -137,6 +137,7 @@ export function createStore(first: Engine, fragment: string, rememberedNumbers: 
     compose: lastOf("compose"),
     translate: lastOf("translate"),
     identify: lastOf("identify"),
+    motion: lastOf("motion"),
     frames: lastOf("frames"),
     /** What is asked beside a view, from when the core that answers it is there; one answer for each question. */
     beside: (asks: Asks): ReadonlySignal<Answer> => {
@@ -209,7 +210,10 @@ export function requestOf(state: PageState): Request | undefined {
   return asksOf.value[view]?.(state);
 }
 
-type Good = Extract<Outcome, { status: "read" | "compose" | "translate" | "identify" | "frames" }>;
+type Good = Extract<
+  Outcome,
+  { status: "read" | "compose" | "translate" | "identify" | "frames" | "motion" }
+>;
 
 /** The newest outcome of one kind, and whether it belongs to the texts as they are now. */
 function lastGood<Kind extends Good>(

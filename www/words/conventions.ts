@@ -40,8 +40,8 @@ export const symbolOf: Record<Field, string> = {
   position: "position",
   point: "point",
   rate: "ω",
-  "rate-end": "ω at the end",
-  duration: "duration",
+  "rate-end": "ω₁",
+  duration: "t",
   increment: "δ",
 };
 

@@ -11,6 +11,18 @@ export interface Example {
 const asked = {
   read: ["preset", "axes", "matrix", "euler", "quaternion", "vector"],
   compose: ["preset", "axes", "matrix", "p", "q", "vector"],
+  motion: [
+    "preset",
+    "axes",
+    "matrix",
+    "euler",
+    "quaternion",
+    "rate",
+    "rateEnd",
+    "duration",
+    "increment",
+    "motion",
+  ],
   frames: ["preset", "axes", "matrix", "frames"],
   translate: ["translated", "from", "to", "worldAxes", "bodyAxes"],
   identify: ["observations", "libraryName", "language", "unavailable", "numbers", "beside"],

@@ -25,6 +25,8 @@ function caseWords(store: Store): string | undefined {
       return current(store.translate.value, (report) =>
         translateTitle(report, { from: endNameOf(from, store), to: endNameOf(to, store) }),
       );
+    case "motion":
+      return undefined;
     case "frames":
       return current(store.frames.value, framesTitle);
     case "identify":

@@ -19,6 +19,10 @@ const files = {
     const { Compose, spokenProduct } = await import("../compose/Compose.tsx");
     return { Shown: Compose, spoken: spokenProduct };
   },
+  motion: async () => {
+    const { Motion, spokenMotion, askedOfMotion } = await import("../motion/Motion.tsx");
+    return { Shown: Motion, spoken: spokenMotion, asks: askedOfMotion };
+  },
   frames: async () => {
     const { Frames, spokenPose, askedOfFrames } = await import("../frames/Frames.tsx");
     return { Shown: Frames, spoken: spokenPose, asks: askedOfFrames };
@@ -48,6 +52,7 @@ export type Loading =
 /** How far each view is. */
 export const loadingOf: Record<LazyView, Signal<Loading>> = {
   compose: signal({ status: "asleep" }),
+  motion: signal({ status: "asleep" }),
   frames: signal({ status: "asleep" }),
   translate: signal({ status: "asleep" }),
   identify: signal({ status: "asleep" }),

@@ -6,10 +6,12 @@ import { useLater } from "./later.ts";
 import "./result.css";
 import "./picture.css";
 
-type Kind = "read" | "compose" | "frames";
+type Kind = "read" | "compose" | "motion" | "frames";
 
 const parts: Record<Kind, () => Promise<ComponentType<{ store: Store }>>> = {
   read: () => import("../../picture/ReadPicture.tsx").then(({ ReadPicture }) => ReadPicture),
+  motion: () =>
+    import("../../picture/MotionPicture.tsx").then(({ MotionPicture }) => MotionPicture),
   frames: () =>
     import("../../picture/FramesPicture.tsx").then(({ FramesPicture }) => FramesPicture),
   compose: () =>

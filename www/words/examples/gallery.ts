@@ -6,6 +6,7 @@ import { featuredNames } from "./featured.ts";
 export const groupWords: Record<View, string> = {
   read: "Read: one attitude",
   compose: "Compose: two in a row",
+  motion: "Motion: a small turn, a rate, and time",
   frames: "Frames: where one stands in another",
   translate: "Translate: between libraries",
   identify: "Identify: what a library does",

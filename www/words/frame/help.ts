@@ -9,6 +9,7 @@ const declare = (preset: string) => `Declare the text as ${preset}`;
 export const viewShortcutWords: Record<View, string> = {
   read: goTo("Read"),
   compose: goTo("Compose"),
+  motion: goTo("Motion"),
   frames: goTo("Frames"),
   translate: goTo("Translate"),
   identify: goTo("Identify"),
@@ -21,6 +22,7 @@ const goToTab = (tab: string) => `Go to ${tab}, to the part used last`;
 const tabShortcutWords: Record<`tab ${Tab}`, string> = {
   "tab read": goToTab("Read"),
   "tab compose": goToTab("Compose"),
+  "tab motion": goToTab("Motion"),
   "tab frames": goToTab("Frames"),
   "tab libraries": goToTab("Libraries"),
 };

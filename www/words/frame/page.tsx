@@ -10,12 +10,14 @@ export const tabsLabel = "Views";
 export const tabWords: Record<Tab, string> = {
   read: "Read",
   compose: "Compose",
+  motion: "Motion",
   frames: "Frames",
   libraries: "Libraries",
 };
 export const viewNames: Record<View, string> = {
   read: "Read",
   compose: "Compose",
+  motion: "Motion",
   frames: "Frames",
   translate: "Translate",
   identify: "Identify",

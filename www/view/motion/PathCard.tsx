@@ -1,0 +1,107 @@
+// Where a rate leads in time, what goes wrong, and how well steps follow it.
+import type { MistakeKind, MotionReport, PathReport } from "../../engine.ts";
+import { choicesOf, drawable, textOf } from "../../model/motion_choices.ts";
+import { shown } from "../../number/format.ts";
+import type { Store } from "../../state/store.ts";
+import { mistakeWords } from "../../words/motion/mistakes.ts";
+import * as words from "../../words/motion/motion.tsx";
+import { ArrayRow, ComponentStrip } from "../parts/Value.tsx";
+import { ErrorPlot } from "./ErrorPlot.tsx";
+import { Mistakes } from "./Mistakes.tsx";
+
+const nothing = "";
+
+export function PathCard({
+  store,
+  path,
+  report,
+}: {
+  store: Store;
+  path: PathReport;
+  report: MotionReport;
+}) {
+  const { digits } = store.state.value;
+  const { drawn } = choicesOf(store.state.value);
+  return (
+    <>
+      <ComponentStrip
+        symbol="q"
+        name={words.endOf}
+        components={path.end}
+        convention={report.quaternion.convention}
+        digits={digits}
+      />
+      <ArrayRow
+        name={words.endTurn}
+        symbol={words.endTurn}
+        numbers={path.turn.rotationVectorRad}
+        digits={digits}
+      />
+      <Mistakes store={store} mistakes={path.mistakes} />
+      <label class="motion-drawn">
+        {words.drawnName}{" "}
+        <select
+          value={drawn ?? nothing}
+          onChange={({ currentTarget: { value } }) => {
+            const chosen = value === nothing ? undefined : (value as MistakeKind);
+            store.set({ motion: textOf({ ...choicesOf(store.state.peek()), drawn: chosen }) });
+          }}
+        >
+          {drawable.map((kind) => (
+            <option key={kind} value={kind}>
+              {mistakeWords[kind]}
+            </option>
+          ))}
+          <option value={nothing}>{words.rightOnly}</option>
+        </select>
+      </label>
+      <details class="fold">
+        <summary>{words.stepsWrong}</summary>
+        <Steps path={path} />
+      </details>
+    </>
+  );
+}
+
+/** The errors at the asked number of steps, and over the length of the step. */
+function Steps({ path }: { path: PathReport }) {
+  const steps = (path.ways[0]?.length ?? 1) - 1;
+  const orderOf = (rows: PathReport["integrators"][number]) =>
+    rows.findLast(([, , , , order]) => order !== 0)?.[4];
+  return (
+    <div class="motion-compared">
+      <ErrorPlot path={path} />
+      <div class="motion-table">
+        <table>
+          <thead>
+            <tr>
+              {words.heads(steps).map((head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {path.integrators.map((rows, at) => {
+              const row = rows.find(([count]) => count === steps);
+              const order = orderOf(rows);
+              return (
+                <tr key={words.kinds[at]}>
+                  <th scope="row">
+                    <i class={`series series-${at}`} aria-hidden="true" /> {words.kinds[at]}
+                  </th>
+                  <td>
+                    {row === undefined ? "–" : row[2] === 0 ? words.exact : row[2].toExponential(2)}
+                  </td>
+                  <td>{order === undefined ? "–" : order.toFixed(2)}</td>
+                  <td>{row === undefined || row[3] === 0 ? "–" : shown(row[3], "4")}</td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+    </div>
+  );
+}

@@ -3,6 +3,9 @@
 //! It moves plain data across and counts spans the way a text field does. What
 //! is typed never throws; a caller who breaks the types gets a `TypeError`.
 
+// Reports and problems to JavaScript.
+mod answer;
+
 // The requests of several attitudes, and of one in all its parts, from JavaScript.
 #[cfg(feature = "whole")]
 mod attitude_request;
@@ -35,109 +38,26 @@ mod request;
 // The texts of requests, and how long they are.
 mod request_texts;
 
-use crate::analyze::compose::compose;
+// The views that a request may ask, and who answers each.
+mod views;
+
 use crate::analyze::describe::describe_convention as described_convention;
-use crate::analyze::read::read;
-use crate::contract::Problems;
 use crate::convention::Convention;
-use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
 use crate::text::parse_number;
-use crate::wasm::members::{Members, word};
-use crate::wasm::refusal::{Typed, no_such_choice, refused};
-use crate::wasm::request::{compose_request, read_request};
-use crate::wasm::request_texts::{Texts, member_of};
+use crate::wasm::answer::{STATUS, to_js};
+use crate::wasm::members::Members;
+use crate::wasm::refusal::Typed;
+use crate::wasm::request_texts::Texts;
+use crate::wasm::views::answer_of;
 use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
-#[cfg(feature = "whole")]
-use {
-    crate::analyze::frames::frames,
-    crate::contract::FramesReport,
-    crate::contract::request::FramesRequest,
-    crate::wasm::frames_request::{FRAMES, frames_request},
-    std::mem::take,
-};
 #[cfg(feature = "libraries")]
 use {
-    crate::analyze::identify::matrix_library::identify_matrices,
-    crate::analyze::identify::observation::LONGEST_TEXT_BYTES,
-    crate::analyze::identify::{identify, standard_probes},
-    crate::analyze::numbers::numbers,
-    crate::analyze::translate::{describe_library as described_library, translate},
-    crate::contract::request::{IdentifyRequest, TranslateRequest},
-    crate::contract::{IdentifyReport, ObservationReport},
-    crate::library::endpoint::Endpoint,
-    crate::wasm::library_request::{
-        IDENTIFY, MATRICES, NUMBERS, TRANSLATE, identify_request, matrices_request,
-        numbers_request, translate_request,
-    },
-    crate::wasm::request::{COMPOSE, READ},
+    crate::analyze::identify::standard_probes,
+    crate::analyze::translate::describe_library as described_library,
 };
-#[cfg(feature = "whole")]
-use {
-    crate::analyze::motion::motion,
-    crate::wasm::motion_request::{MOTION, motion_request},
-};
-
-#[cfg(feature = "whole")]
-use {
-    crate::analyze::{atlas::atlas, between::between, chain::chain, swing_twist::swing_twist},
-    crate::wasm::attitude_request::{
-        ATLAS, BETWEEN, CHAIN, SWING_TWIST, atlas_request, between_request, chain_request,
-        swing_twist_request,
-    },
-};
-
-/// The tags of a request and of an outcome.
-const VIEW: &str = "view";
-const STATUS: &str = "status";
-
-#[cfg(feature = "whole")]
-const VIEWS: [&str; 12] = [
-    "read",
-    "compose",
-    "translate",
-    "identify",
-    "numbers",
-    "matrices",
-    "between",
-    "chain",
-    "atlas",
-    "swing-twist",
-    "frames",
-    "motion",
-];
-#[cfg(all(feature = "libraries", not(feature = "whole")))]
-const VIEWS: [&str; 6] = [
-    "read",
-    "compose",
-    "translate",
-    "identify",
-    "numbers",
-    "matrices",
-];
-#[cfg(not(feature = "libraries"))]
-const VIEWS: [&str; 2] = ["read", "compose"];
-
-/// The members of all requests.
-#[cfg(feature = "whole")]
-const KNOWN: [&[&str]; 12] = [
-    &READ,
-    &COMPOSE,
-    &TRANSLATE,
-    &IDENTIFY,
-    &NUMBERS,
-    &MATRICES,
-    &BETWEEN,
-    &CHAIN,
-    &ATLAS,
-    &SWING_TWIST,
-    &FRAMES,
-    &MOTION,
-];
-#[cfg(all(feature = "libraries", not(feature = "whole")))]
-const KNOWN: [&[&str]; 6] = [&READ, &COMPOSE, &TRANSLATE, &IDENTIFY, &NUMBERS, &MATRICES];
 
 /// What the alias of Rust, which is another one in each build, is in TypeScript.
 #[wasm_bindgen(typescript_custom_section)]
@@ -192,230 +112,6 @@ pub fn analyze(
         }
         refusal
     })
-}
-
-/// By its tag here, and not by serde through the types of a request and an outcome, which would copy
-/// everything first, and would hold every view where a build answers two.
-fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
-    let texts = Texts::default();
-    let members = Members::of_request(request, &texts)?;
-    let view = view_of(&members, view)?;
-    match &*view {
-        "read" => {
-            let request = read_request(&members)?;
-            answer(&view, read(&request), &texts, &|field, _| match field {
-                Field::Vector => &request.vector,
-                _ => &request.quaternion,
-            })
-        }
-        "compose" => {
-            let request = compose_request(&members)?;
-            answer(&view, compose(&request), &texts, &|field, _| match field {
-                Field::P => &request.p,
-                Field::Q => &request.q,
-                _ => &request.vector,
-            })
-        }
-        #[cfg(feature = "libraries")]
-        "translate" => {
-            let request: TranslateRequest = translate_request(&members)?;
-            answer(
-                &view,
-                translate(&request),
-                &texts,
-                &|field, _| match field {
-                    Field::WorldAxes => &request.world_axes,
-                    Field::BodyAxes => &request.body_axes,
-                    Field::From => id_of(&request.from),
-                    Field::To => id_of(&request.to),
-                    _ => &request.quaternion,
-                },
-            )
-        }
-        #[cfg(feature = "libraries")]
-        "identify" => {
-            let request: IdentifyRequest = identify_request(&members)?;
-            let report = identify(&request).in_utf16(|field, at| {
-                let probe = request.observations.get(at);
-                probe.map_or_else(String::new, |probe| probe.text(field).to_owned())
-            });
-            with_status(&view, &of_whole_texts(report, &texts))
-        }
-        #[cfg(feature = "libraries")]
-        "matrices" => {
-            let request = matrices_request(&members)?;
-            let answered = identify_matrices(&request).map_err(|problem| vec![problem]);
-            answer(&view, answered, &texts, &|field, _| match field {
-                Field::A => &request.a,
-                Field::B => &request.b,
-                Field::Product => &request.product,
-                Field::Matrix => &request.matrix,
-                Field::RotationVector => &request.rotation_vector,
-                Field::Printed => &request.printed,
-                _ => &request.yawed,
-            })
-        }
-        #[cfg(feature = "libraries")]
-        "numbers" => {
-            let request = numbers_request(&members)?;
-            answer(&view, numbers(&request), &texts, &|field, _| match field {
-                Field::Numbers => &request.numbers,
-                _ => &request.quaternion,
-            })
-        }
-        #[cfg(feature = "whole")]
-        "between" => {
-            let request = between_request(&members)?;
-            answer(&view, between(&request), &texts, &|field, _| match field {
-                Field::P => &request.p,
-                Field::Q => &request.q,
-                _ => &request.part,
-            })
-        }
-        #[cfg(feature = "whole")]
-        "chain" => {
-            let request = chain_request(&members)?;
-            answer(&view, chain(&request), &texts, &|_, at| {
-                request.factors.get(at).map_or("", |factor| &factor.text)
-            })
-        }
-        #[cfg(feature = "whole")]
-        "atlas" => {
-            let request = atlas_request(&members)?;
-            answer(&view, atlas(&request), &texts, &|_, _| &request.quaternion)
-        }
-        #[cfg(feature = "whole")]
-        "swing-twist" => {
-            let request = swing_twist_request(&members)?;
-            let answered = swing_twist(&request);
-            answer(&view, answered, &texts, &|field, _| match field {
-                Field::Axis => &request.axis,
-                _ => &request.quaternion,
-            })
-        }
-        #[cfg(feature = "whole")]
-        "frames" => {
-            let request = frames_request(&members)?;
-            with_status(&view, &frames_of_whole_texts(&request, &texts))
-        }
-        #[cfg(feature = "whole")]
-        "motion" => {
-            let request = motion_request(&members)?;
-            answer(&view, motion(&request), &texts, &|field, _| match field {
-                Field::Rate => &request.rate,
-                Field::RateEnd => &request.rate_end,
-                Field::Duration => &request.duration,
-                Field::Increment => &request.increment,
-                _ => &request.quaternion,
-            })
-        }
-        _ => Err(no_such_choice(VIEW, &view, &VIEWS)),
-    }
-}
-
-/// The view that is asked, which the request need not name where the caller does.
-fn view_of(members: &Members<'_>, asked: &JsValue) -> Typed<String> {
-    let named = members.value(VIEW)?;
-    let asked = asked.as_string();
-    if let (Some(asked), true) = (&asked, named.is_undefined()) {
-        return Ok(asked.clone());
-    }
-    #[cfg(feature = "libraries")]
-    if named.is_undefined() {
-        // A misspelt `view` is told before it is missed.
-        members.only(&KNOWN.concat())?;
-    }
-    let named = word(&named, VIEW)?;
-    match asked {
-        Some(asked) if asked != named => Err(refused(&format!(
-            "its `view` is `{named}`, and {asked} was asked"
-        ))),
-        _ => Ok(named),
-    }
-}
-
-/// The text of a field of a request, of the one at a place where there are several.
-type TextOf<'request> = &'request dyn Fn(Field, usize) -> &'request str;
-
-/// A report, or problems that count the units of the texts they point into.
-fn answer(
-    view: &str,
-    answered: Result<impl Serialize, Vec<Problem>>,
-    texts: &Texts,
-    text_of: TextOf<'_>,
-) -> Typed<JsValue> {
-    match answered {
-        Ok(report) => with_status(view, &report),
-        Err(problems) => with_status("problems", &of_texts(problems, texts, text_of, "")),
-    }
-}
-
-/// The problems, with spans in the units of JavaScript, of texts that stand in this part of the request.
-fn of_texts(problems: Vec<Problem>, texts: &Texts, text_of: TextOf<'_>, part: &str) -> Problems {
-    let mut whole = Vec::new();
-    for mut problem in problems {
-        let text = text_of(problem.field, problem.at.into());
-        problem.span = problem.span.in_utf16(text);
-        let member = member_of(problem.field);
-        #[cfg(feature = "whole")]
-        let whole_path = match problem.field {
-            Field::Factor => format!("{member}[{}].text", problem.at),
-            _ => format!("{part}{member}"),
-        };
-        #[cfg(feature = "whole")]
-        let path = &*whole_path;
-        #[cfg(feature = "whole")]
-        let most = match problem.field {
-            Field::Parent | Field::Child | Field::Rotation | Field::Position | Field::Point => {
-                LONGEST_TEXT_BYTES
-            }
-            _ => MAX_TEXT_BYTES,
-        };
-        #[cfg(not(feature = "whole"))]
-        let (path, most, _) = (member, MAX_TEXT_BYTES, part);
-        whole.push(texts.of_whole_text(problem, path, most));
-    }
-    Problems { problems: whole }
-}
-
-#[cfg(feature = "libraries")]
-fn id_of(endpoint: &Endpoint) -> &str {
-    match endpoint {
-        Endpoint::Library(endpoint) => &endpoint.id,
-        Endpoint::Convention(_) => "",
-    }
-}
-
-#[cfg(feature = "libraries")]
-fn of_whole_texts(mut report: IdentifyReport, texts: &Texts) -> IdentifyReport {
-    for (at, observation) in report.observations.iter_mut().enumerate() {
-        if let ObservationReport::Problem(found) = observation {
-            let path = format!("observations[{at}].{}", member_of(found.problem.field));
-            found.problem = texts.of_whole_text(found.problem.clone(), &path, LONGEST_TEXT_BYTES);
-        }
-    }
-    report
-}
-
-#[cfg(feature = "whole")]
-fn frames_of_whole_texts(request: &FramesRequest, texts: &Texts) -> FramesReport {
-    let mut report = frames(request);
-    for (at, pose) in report.poses.iter_mut().enumerate() {
-        let part = format!("poses[{at}].");
-        let problems = take(&mut pose.problems);
-        let text_of = |field, at: usize| request.poses[at].text(field);
-        pose.problems = of_texts(problems, texts, &text_of, &part).problems;
-    }
-    let problems = take(&mut report.problems);
-    report.problems = of_texts(problems, texts, &|field, _| request.text(field), "").problems;
-    report
-}
-
-/// An [`Outcome`](crate::Outcome) as serde would tag it.
-fn with_status(status: &str, report: &impl Serialize) -> Typed<JsValue> {
-    let outcome = to_js(report)?;
-    Reflect::set(&outcome, &STATUS.into(), &status.into())?;
-    Ok(outcome)
 }
 
 /// The named conventions.
@@ -489,8 +185,4 @@ fn start() {
     std::panic::set_hook(Box::new(|panic| {
         PANIC_MESSAGE.set(Some(panic.to_string()));
     }));
-}
-
-fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
-    serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
 }

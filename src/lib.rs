@@ -107,8 +107,6 @@ pub use contract::request::{
     ComposeRequest, IdentifyRequest, MatricesRequest, NumbersRequest, ReadRequest, Request,
     TranslateRequest,
 };
-#[cfg(feature = "whole")]
-pub use contract::request::{FramesRequest, GivenPose};
 pub use contract::*;
 pub use convention::angle::{AngleUnit, UnitSource};
 pub use convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence, UnknownSequence};

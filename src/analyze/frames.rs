@@ -6,11 +6,11 @@ use crate::analyze::frame_names::are_nearly_same;
 use crate::analyze::identify::observation::LONGEST_TEXT_BYTES;
 use crate::analyze::plain_numbers::{coordinates, plain, rows3};
 use crate::analyze::vector::TypedVector;
-use crate::contract::request::{FramesRequest, GivenPose};
 use crate::contract::{
     Components, Fact, FoundPose, FramesReport, Note, OutOfRange, OutOfRangeNumber, PathStep,
     PlacedFrame, PoseLoop, ReadPose,
 };
+use crate::contract::{FramesRequest, GivenPose};
 use crate::convention::{Convention, Direction};
 use crate::frames::network::{Joined, Link, Placement, along, joined, loops, path};
 use crate::problem::fault::Fault;

@@ -1,9 +1,130 @@
-//! What follows from poses between named frames.
+//! What is asked of poses between named frames, and what follows from them.
 
 use crate::contract::attitude::{Column, Components, Euler, ReadQuaternion, Turn};
 use crate::contract::note::Note;
+use crate::contract::text::Text;
+use crate::convention::Convention;
+use crate::convention::euler_sequence::EulerSequence;
+use crate::convention::matrix::MatrixConvention;
 use crate::problem::{Field, Problem};
 use serde::{Deserialize, Serialize};
+
+/// What is known between named frames, and the pose that is asked for: that of `child` in `parent`.
+///
+/// It is what takes coordinates in the child to coordinates in the parent, `ᴾR_C` and `ᴾp_C`
+/// (Yoosefian 2021, section 2), as is every pose in `poses`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FramesRequest {
+    /// What is known, in any order and direction; 32 at most.
+    pub poses: Vec<GivenPose>,
+    /// The frame that is asked about.
+    pub child: String,
+    /// The frame in which its pose is asked for.
+    pub parent: String,
+    /// A point in coordinates of the child, wanted in all frames; empty where there is none.
+    #[serde(default)]
+    pub point: Text,
+    /// What four numbers are declared to mean where a pose does not say it, and the convention of
+    /// `declared` in the answer. The body is the child, the world the parent.
+    pub convention: Convention,
+    /// What nine numbers are declared to mean where a pose does not say it, and the rotation of sixteen;
+    /// body to world, which is child to parent, where it is left out.
+    #[serde(default)]
+    pub matrix: MatrixConvention,
+    /// The sequence of the Euler angles in the answer; intrinsic ZYX where it is left out.
+    #[serde(default)]
+    pub euler: EulerSequence,
+}
+
+/// The pose of one frame in another, as it is known.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct GivenPose {
+    /// The name of the frame in which the pose is given.
+    pub parent: String,
+    /// The name of the frame whose pose it is.
+    pub child: String,
+    /// The attitude of the child in the parent in any accepted form, or a text that holds a position too,
+    /// such as a matrix of sixteen numbers.
+    pub rotation: Text,
+    /// The origin of the child in coordinates of the parent; empty where it is not known, or where the
+    /// text of the rotation has it.
+    #[serde(default)]
+    pub position: Text,
+    /// What four numbers are declared to mean; that of the request where it is left out.
+    #[serde(default)]
+    pub convention: Option<Convention>,
+    /// What nine or sixteen numbers are declared to mean; that of the request where it is left out.
+    #[serde(default)]
+    pub matrix: Option<MatrixConvention>,
+}
+
+impl FramesRequest {
+    /// The request without a point, with matrices child to parent and the Euler angles of the aerospace
+    /// sequence.
+    ///
+    /// ```
+    /// use quatlas::{Convention, FramesRequest, GivenPose, Outcome, Request, analyze};
+    /// // A JPL filter, parent to child: the body I is turned by 90° about z in G, the camera C is 1 ahead of it.
+    /// let poses = vec![
+    ///     GivenPose::new("G", "I", "0 0 √½ √½", "5 0 0"),
+    ///     GivenPose::new("I", "C", "0 0 0 1", "1 0 0"),
+    /// ];
+    /// let request = FramesRequest::new(poses, "C", "G", Convention::JPL);
+    /// let Outcome::Frames(report) = analyze(&Request::Frames(request)) else { panic!("answered") };
+    /// // Ahead of the body is the y axis of G; as Hamilton's, or body to world, it would be at (5, −1, 0).
+    /// assert_eq!(report.answer.expect("they are joined").position, Some([5.0, 1.0, 0.0]));
+    /// ```
+    #[must_use]
+    pub fn new(poses: Vec<GivenPose>, child: &str, parent: &str, convention: Convention) -> Self {
+        Self {
+            poses,
+            child: child.to_owned(),
+            parent: parent.to_owned(),
+            point: String::new(),
+            convention,
+            matrix: MatrixConvention::default(),
+            euler: EulerSequence::default(),
+        }
+    }
+
+    /// The text of a field of the question.
+    #[must_use]
+    pub fn text(&self, field: Field) -> &str {
+        match field {
+            Field::Parent => &self.parent,
+            Field::Child => &self.child,
+            _ => &self.point,
+        }
+    }
+}
+
+impl GivenPose {
+    /// The text of a field.
+    #[must_use]
+    pub fn text(&self, field: Field) -> &str {
+        match field {
+            Field::Parent => &self.parent,
+            Field::Child => &self.child,
+            Field::Position => &self.position,
+            _ => &self.rotation,
+        }
+    }
+
+    /// The pose of `child` in `parent` in the convention of the request.
+    #[must_use]
+    pub fn new(parent: &str, child: &str, rotation: &str, position: &str) -> Self {
+        Self {
+            parent: parent.to_owned(),
+            child: child.to_owned(),
+            rotation: rotation.to_owned(),
+            position: position.to_owned(),
+            convention: None,
+            matrix: None,
+        }
+    }
+}
 
 /// Where one frame stands in another, and every other frame with them.
 ///

@@ -23,7 +23,7 @@ mod chain;
 #[cfg(feature = "whole")]
 mod found;
 
-// What follows from poses between frames.
+// What is asked of poses between frames, and what follows.
 #[cfg(feature = "whole")]
 pub(crate) mod frames;
 

@@ -9,8 +9,9 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "whole")]
 use {
-    crate::analyze::frames::frames, crate::contract::FramesReport,
-    crate::contract::request::FramesRequest, std::mem::take,
+    crate::analyze::frames::frames,
+    crate::contract::{FramesReport, FramesRequest},
+    std::mem::take,
 };
 #[cfg(feature = "libraries")]
 use {

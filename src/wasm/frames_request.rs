@@ -1,6 +1,6 @@
 //! What Frames is asked, member by member.
 
-use crate::contract::request::{FramesRequest, GivenPose};
+use crate::contract::{FramesRequest, GivenPose};
 use crate::wasm::members::Members;
 use crate::wasm::refusal::Typed;
 use crate::wasm::request::{convention, euler, matrix, matrix_if_any};

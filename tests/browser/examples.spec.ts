@@ -133,7 +133,7 @@ const promises: Record<ExampleName, (page: Page) => Promise<void>> = {
   "my-lab": async (page) => {
     await expect(page.getByRole("heading", { name: "“My Lab” of the field guide" })).toBeVisible();
     // Golden case G32, R_W^B.
-    await page.getByText("The matrix as chosen beside q").click();
+    await page.getByText("and the matrix as chosen beside q").click();
     const paired = await numbersOf(matrix(page, "matrix as chosen beside q"));
     expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
   },

@@ -68,7 +68,7 @@ test("conventions with a name are one click away, My Lab with its matrix", async
   expect((await textsOf(card.locator(".strip dd"))).map(numberOf)).toEqual([
     0.776371, 0.184856, -0.323499, 0.508355,
   ]);
-  await page.getByText("The matrix as chosen beside q").click();
+  await page.getByText("and the matrix as chosen beside q").click();
   const paired = await numbersOf(matrix(page, "matrix as chosen beside q"));
   expect(paired.slice(0, 3)).toEqual([0.273847, 0.669743, 0.690255]);
   await expect(page.locator(".fold .matrix-caption", { hasText: "passive" })).toHaveText(

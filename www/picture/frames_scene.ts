@@ -4,8 +4,8 @@ import { axesOf, ground, type Scene, scene } from "./scene.ts";
 import { minus, origin, plus, times, type Vector } from "./space.ts";
 
 /** How far from the middle the outermost frame stands, and how long an axis is. */
-const reach = 1.05;
-const axisLength = 0.3;
+const reach = 1.4;
+const axisLength = 0.4;
 
 const standing = { w: 1, x: 0, y: 0, z: 0 };
 const letters = ["x", "y", "z"] as const;

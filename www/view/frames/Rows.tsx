@@ -150,12 +150,14 @@ export function Rows({
         >
           {words.add}
         </button>
-        <span>{words.examples}</span>
-        {examples.map(({ name, frames }) => (
-          <a key={name} href={store.linkTo({ frames })}>
-            {words.exampleNames[name]}
-          </a>
-        ))}
+        <span class="examples">
+          <span>{words.examples}</span>
+          {examples.map(({ name, frames }) => (
+            <a key={name} href={store.linkTo({ frames })}>
+              {words.exampleNames[name]}
+            </a>
+          ))}
+        </span>
       </p>
     </section>
   );

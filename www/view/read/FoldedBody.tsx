@@ -31,9 +31,12 @@ export interface Given {
 export function FoldedBody({ of, ...given }: Given & { of: FoldedPart }) {
   switch (of) {
     case "products":
-      return <Rules {...given} />;
-    case "paired":
-      return <PairedMatrix {...given} />;
+      return (
+        <>
+          <Rules {...given} />
+          <PairedMatrix {...given} />
+        </>
+      );
     case "tangents":
       return (
         <>

@@ -18,7 +18,7 @@ export const columns = {
   convention: "Four numbers as",
 } as const;
 export const ofRow = (at: number, what: string) => `Row ${at + 1}: ${what}`;
-export const conventionNames = { "": "the page", hamilton: "Hamilton", jpl: "JPL" } as const;
+export const conventionNames = { "": "as declared", hamilton: "Hamilton", jpl: "JPL" } as const;
 export const add = "Add a row";
 export const remove = (at: number) => `Remove row ${at + 1}`;
 export const examples = "Examples:";

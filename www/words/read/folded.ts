@@ -2,11 +2,11 @@
 
 export const more = "More about this rotation";
 /** In this order. */
-export const parts = ["products", "paired", "tangents"] as const;
+export const parts = ["products", "tangents"] as const;
 export type FoldedPart = (typeof parts)[number];
 export const lines: Record<FoldedPart, string> = {
-  products: "What each convention multiplies, and the product matrices",
-  paired: "The matrix as chosen beside q",
+  products:
+    "What each convention multiplies, the product matrices, and the matrix as chosen beside q",
   tangents: "Gibbs vector and modified Rodrigues parameters; twist and swing",
 };
 

@@ -30,3 +30,22 @@ test("every link of a document leads to a file", () => {
 test("the README has no pictures, which a registry would look for beside itself", () => {
   assert.doesNotMatch(readFileSync(join(root, "README.md"), "utf8"), /!\[/);
 });
+
+test("every test that tests/reach.md names is there", () => {
+  const named = [...readFileSync(join(root, "tests/reach.md"), "utf8").matchAll(/`([^`]+)`/g)]
+    .map(([, name]) => name)
+    .filter((name) => name.includes(" › ") || /^\w+(::\w+){2,}$/.test(name));
+  assert.ok(named.length > 120, `${named.length} tests`);
+  const missing = named.filter((name) => {
+    const [file, title] = name.split(" › ");
+    const path = file.split("::");
+    const source = title ? file : `tests/${path.slice(0, -1).join("/")}.rs`;
+    const head = title === undefined ? `\nfn ${path.at(-1)}() {` : `test("${title}`;
+    const isThere = [source, source.replace(/\.rs$/, "/mod.rs")].some(
+      (place) =>
+        existsSync(join(root, place)) && readFileSync(join(root, place), "utf8").includes(head),
+    );
+    return !isThere;
+  });
+  assert.deepEqual(missing, []);
+});

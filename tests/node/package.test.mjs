@@ -158,7 +158,7 @@ test("a quarter turn about z, from the numbers of a JPL filter", () => {
 test("the examples of the README run as they are printed", async () => {
   const readme = readFileSync(join(root, "README.md"), "utf8");
   const examples = [...readme.matchAll(/```js\n(.*?)```/gs)];
-  assert.equal(examples.length, 3);
+  assert.equal(examples.length, 4);
   for (const [, example] of examples) {
     const file = join(project, "example.mjs");
     writeFileSync(file, example);

@@ -22,6 +22,8 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
       - navigation "Views":
         - link "Read"
         - link "Compose"
+        - link "Motion"
+        - link "Frames"
         - link "Libraries"
       - button "Share"
     - main:
@@ -75,7 +77,7 @@ test("the tree of the Read view has a name and a role for everything", async ({ 
           - textbox "yaw in degrees": "45"
         - heading "The other sign" [level=2]
       - region "More about this rotation":
-        - group: What each convention multiplies, and the product matrices
+        - group: What each convention multiplies, the product matrices, and the matrix as chosen beside q
     - contentinfo
     - status: /Result. a rotation by 45° about z/
   `);

@@ -188,10 +188,11 @@ test("every key of the list does what the list says", async ({ page, context }) 
     ["Read", ["1"], ["g", "r"]],
     ["Compose", ["2"], ["g", "c"]],
     // The tab opens on its first part, and then on the one that was used last.
-    ["Frames", ["3"], ["g", "f"]],
-    ["Translate", ["4"], ["g", "t"]],
-    ["Identify", ["g", "i"], ["4"]],
-    ["All libraries", ["g", "l"], ["4"]],
+    ["Motion", ["3"], ["g", "m"]],
+    ["Frames", ["4"], ["g", "f"]],
+    ["Translate", ["5"], ["g", "t"]],
+    ["Identify", ["g", "i"], ["5"]],
+    ["All libraries", ["g", "l"], ["5"]],
   ] as const;
   for (const [name, ...ways] of places) {
     const link = tab(page, name).or(part(page, name));

@@ -99,8 +99,9 @@ test("a component is that of its column in all 32 conventions", async ({ page })
       await expect(quaternionField(page), choice).toHaveValue(/^q[wxyz]=/);
       // What was typed is shown until the group is left: then it is what was read.
       await quaternionField(page).focus();
-      const after = await components(page, column);
-      expect(after, `${name}${choice}`).toEqual(before.with(at, 0.25));
+      // The column follows in a frame of its own.
+      const told = { message: `${name}${choice}`, intervals: [20] };
+      await expect.poll(() => components(page, column), told).toEqual(before.with(at, 0.25));
     }
   }
 });

@@ -3,7 +3,15 @@
 import type { Page } from "@playwright/test";
 import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support/page.ts";
 
-const views = ["read", "compose", "frames", "translate", "identify", "libraries"] as const;
+const views = [
+  "read",
+  "compose",
+  "motion",
+  "frames",
+  "translate",
+  "identify",
+  "libraries",
+] as const;
 
 async function open(page: Page, address: string) {
   await page.goto(`/#${address}`);
@@ -215,6 +223,8 @@ test("the title tells the case, and where there is none the view", async ({ page
       "translate?translated=0.1 -0.2 0.4 0.888819441731559&from=openvins&to=:hamilton",
       "OpenVINS → Hamilton · 0.8888 0.1 −0.2 0.4",
     ],
+    ["motion", "Hamilton 0.9239 0 0 0.3827 · ω 0.3 −0.2 0.5 rad/s"],
+    ["motion?rate=", "Motion"],
     ["identify?name=My library", "My library · Identify"],
     ["libraries?library=openvins", "OpenVINS · All libraries"],
     ["libraries", "All libraries"],

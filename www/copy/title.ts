@@ -1,6 +1,13 @@
 // A case in a few words, for the title of the tab and for a link to it. Everything is rounded to what
 // a case is recognised by.
-import type { ComposeReport, Engine, ReadReport, TranslateReport } from "../engine.ts";
+import type {
+  ComposeReport,
+  Engine,
+  MotionReport,
+  RateAxes,
+  ReadReport,
+  TranslateReport,
+} from "../engine.ts";
 import { titleWords as words } from "../words/copy/title.ts";
 import { cited, type Ends, signs, turnOf } from "./cite.ts";
 
@@ -31,6 +38,25 @@ export function composeTitle({ declared }: ComposeReport, { describe }: Engine):
     `${left} ${signs[convention.handedness]} ${right}`,
     numbers(quaternion.array),
     words.convention(preset, convention.order),
+  );
+}
+
+/** `Hamilton 0.9239 0 0 0.3827 · ω 0.3 −0.2 0.5 rad/s`; none where no rate was given. */
+export function motionTitle(
+  { quaternion, derivative }: MotionReport,
+  axes: RateAxes,
+  { describe }: Engine,
+): string | undefined {
+  const { components, convention } = quaternion;
+  const { preset } = describe(convention);
+  const rate = derivative?.[axes === "world" ? "worldRad" : "bodyRad"];
+  return (
+    rate &&
+    words.motion(
+      words.convention(preset, convention.order),
+      numbers(components.array),
+      numbers(rate),
+    )
   );
 }
 

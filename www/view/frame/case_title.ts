@@ -1,7 +1,8 @@
 // What the page shows, in the words of a title, and its address. Loaded after the first result, and with sharing.
 import { versionedFragment } from "../../address/fragment.ts";
-import { composeTitle, readTitle, translateTitle } from "../../copy/title.ts";
+import { composeTitle, motionTitle, readTitle, translateTitle } from "../../copy/title.ts";
 import type { Endpoint, FramesReport } from "../../engine.ts";
+import { choicesOf } from "../../model/motion_choices.ts";
 import type { Shown, Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { titleWords as words } from "../../words/copy/title.ts";
@@ -26,7 +27,9 @@ function caseWords(store: Store): string | undefined {
         translateTitle(report, { from: endNameOf(from, store), to: endNameOf(to, store) }),
       );
     case "motion":
-      return undefined;
+      return current(store.motion.value, (report) =>
+        motionTitle(report, choicesOf(state.value).rateAxes, engine),
+      );
     case "frames":
       return current(store.frames.value, framesTitle);
     case "identify":
@@ -53,7 +56,7 @@ export function sharedAddress({ addressed, isLinkNewer }: Store): string {
 /** What is said of a result that is of the texts as they are now. */
 export function current<Report>(
   shown: Shown<Report> | undefined,
-  say: (report: Report) => string,
+  say: (report: Report) => string | undefined,
 ): string | undefined {
   return shown?.freshness === "current" ? say(shown.report) : undefined;
 }

@@ -18,6 +18,8 @@ export const titleWords = {
   compose: (product: string, numbers: string, convention: string) =>
     `${product} = ${numbers} · ${convention}`,
   translate: (from: string, to: string, numbers: string) => `${from} → ${to} · ${numbers}`,
+  motion: (convention: string, numbers: string, rate: string) =>
+    `${convention} ${numbers} · ω ${rate} rad/s`,
   part: (name: string, part: string) => `${name} · ${part}`,
   page: (shown: string) => `${shown} · quatlas`,
 };

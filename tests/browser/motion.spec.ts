@@ -29,7 +29,7 @@ test("the golden increment, derivative and path stand on the page", async ({ pag
   await expect(path).toContainText("[−0.056082, 0.260684, −0.340053]");
   await expect(path).toContainText("on the other side5.787° off");
   await openEverything(page);
-  await expect(path.getByRole("row", { name: /normalised/ })).toContainText("7.34e-2");
+  await expect(path.getByRole("row", { name: /normalised/ })).toContainText("7.34e−2");
   await expect(path.getByRole("row", { name: /Magnus/ })).toContainText("exact");
   expect(await violationsOf(page)).toEqual([]);
 });

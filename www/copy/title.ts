@@ -4,7 +4,6 @@ import type {
   ComposeReport,
   Engine,
   MotionReport,
-  RateAxes,
   ReadReport,
   TranslateReport,
 } from "../engine.ts";
@@ -41,21 +40,19 @@ export function composeTitle({ declared }: ComposeReport, { describe }: Engine):
   );
 }
 
-/** `Hamilton 0.9239 0 0 0.3827 · ω 0.3 −0.2 0.5 rad/s`; none where no rate was given. */
+/** `Hamilton 0.9239 0 0 0.3827 · ω 0.3 −0.2 0.5 rad/s`, on the body's axes; none where no rate was given. */
 export function motionTitle(
   { quaternion, derivative }: MotionReport,
-  axes: RateAxes,
   { describe }: Engine,
 ): string | undefined {
   const { components, convention } = quaternion;
   const { preset } = describe(convention);
-  const rate = derivative?.[axes === "world" ? "worldRad" : "bodyRad"];
   return (
-    rate &&
+    derivative &&
     words.motion(
       words.convention(preset, convention.order),
       numbers(components.array),
-      numbers(rate),
+      numbers(derivative.bodyRad),
     )
   );
 }

@@ -14,3 +14,5 @@ export function partsOfPage(): { first: Part[]; lazy: Part[]; fonts: Part[] };
 export function gzipTotal(parts: readonly Part[]): number;
 
 export function brotliOf(part: Part): number;
+
+export function missingParts(): string[];

@@ -8,6 +8,7 @@ const folder = join(root, "dist", "page");
 const smallCore = /^quatlas_small_bg-/;
 /** What is asked for by scripts, in its time. */
 const sleepingLink = /<link data-[^>]*>/g;
+const beside = /["'(`]\.\/([\w.-]+-[\w-]{8}\.\w+)/g;
 const font = /\.woff2$/;
 
 const mediaTypes = {
@@ -55,6 +56,20 @@ export const gzipTotal = (parts) => parts.reduce((sum, { gzip }) => sum + gzip, 
 /** The bytes of a part as brotli, which takes a while. */
 export function brotliOf({ path, bytes }) {
   return font.test(path) ? bytes : encodings.br(readFileSync(join(folder, path))).length;
+}
+
+/** The files that scripts and styles name beside themselves and that are not there. */
+export function missingParts() {
+  const files = readdirSync(join(folder, "assets"));
+  const named = (file) =>
+    [...readFileSync(join(folder, "assets", file), "utf8").matchAll(beside)].map(
+      ([, name]) => name,
+    );
+  const isText = (file) => file.endsWith(".js") || file.endsWith(".css");
+  return files
+    .filter(isText)
+    .flatMap(named)
+    .filter((name) => !files.includes(name));
 }
 
 /** The name of a built file without the hash of its content. */

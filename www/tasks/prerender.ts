@@ -78,8 +78,16 @@ const withoutGaps = (html: string) =>
 const firstScript = /<script src="\.\/first\.js"><\/script>/;
 const styleSheet = /<link rel="stylesheet"[^>]*href="\.\/assets\/([^"]+)">/;
 
+/** Scripts that come later wait for the style sheets that they name: for the page's own they have not to. */
+function withoutSheet(bundle: Bundle, sheet: string) {
+  const scripts = Object.values(bundle).filter((output) => output.type === "chunk");
+  const own = scripts.find(({ isEntry }) => isEntry)?.fileName.replace("assets/", "");
+  for (const script of scripts) script.code = script.code.replaceAll(`"./${sheet}"`, `"./${own}"`);
+}
+
 export function prerender(plugins: () => Plugin[]): Plugin[] {
   let first = "";
+  let sheet = "";
   return [
     {
       name: "quatlas:first-script",
@@ -99,7 +107,8 @@ export function prerender(plugins: () => Plugin[]): Plugin[] {
       transformIndexHtml: {
         order: "post",
         async handler(html, { bundle = {} }) {
-          const { faces, rules } = takeStyles(bundle, styleSheet.exec(html)?.[1] ?? "style sheet");
+          sheet = styleSheet.exec(html)?.[1] ?? "style sheet";
+          const { faces, rules } = takeStyles(bundle, sheet);
           const script = `<script>${first}</script>`;
           const letters = `<style data-letters media="not all">${faces}</style>`;
           // Where the script finds them.
@@ -111,6 +120,10 @@ export function prerender(plugins: () => Plugin[]): Plugin[] {
           const empty = '<div id="page"></div>';
           return replaced(page, empty, `<div id="page">${await rendered("", plugins())}</div>`);
         },
+      },
+      generateBundle: {
+        order: "post",
+        handler: (_, bundle) => withoutSheet(bundle, sheet),
       },
     },
   ];

@@ -144,6 +144,10 @@ export async function openEverything(page: Page) {
   await page.evaluate(() => {
     for (const details of document.querySelectorAll("details")) details.open = true;
   });
+  // These come with the whole core.
+  const closed = page.locator(".fold > button[aria-expanded=false]");
+  while ((await closed.count()) > 0) await closed.first().click();
+  await expect(page.locator(".fold-wait")).toHaveCount(0);
 }
 
 /** How much wider than the window the page is. */

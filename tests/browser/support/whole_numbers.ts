@@ -11,6 +11,10 @@ export const addresses = [
   `read?digits=all&${longest}`,
   "compose?p=-0.1 0.2 0.3 -0.4&q=1e-9 -0.3 0.123 0.9",
   "compose?digits=all",
+  `read?digits=all&open=atlas,swing-twist&${longest}`,
+  "compose?digits=all&open=between,chain&p=-0.1 0.2 0.3 -0.4",
+  "motion?digits=all&unit=rad",
+  "frames?digits=all",
   "translate?worldAxes=NED to ENU",
   "translate?digits=all&translated=-0.1 0.2 -0.3 -0.4",
   "identify?digits=all",
@@ -97,6 +101,8 @@ export async function cutNumbers(): Promise<string[]> {
     while (getComputedStyle(own).display === "inline" && !own.closest("svg")) {
       own = own.parentElement as Element;
     }
+    // What is clipped away is there to be read aloud.
+    if (getComputedStyle(own).clipPath !== "none") continue;
     const box = (own.closest("svg") ?? own).getBoundingClientRect();
     for (const { 0: digits, index } of content.matchAll(number)) {
       range.setStart(text, index);

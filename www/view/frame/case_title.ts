@@ -2,7 +2,6 @@
 import { versionedFragment } from "../../address/fragment.ts";
 import { composeTitle, motionTitle, readTitle, translateTitle } from "../../copy/title.ts";
 import type { Endpoint, FramesReport } from "../../engine.ts";
-import { choicesOf } from "../../model/motion_choices.ts";
 import type { Shown, Store } from "../../state/store.ts";
 import { citeWords } from "../../words/copy/citation.ts";
 import { titleWords as words } from "../../words/copy/title.ts";
@@ -27,9 +26,7 @@ function caseWords(store: Store): string | undefined {
         translateTitle(report, { from: endNameOf(from, store), to: endNameOf(to, store) }),
       );
     case "motion":
-      return current(store.motion.value, (report) =>
-        motionTitle(report, choicesOf(state.value).rateAxes, engine),
-      );
+      return current(store.motion.value, (report) => motionTitle(report, engine));
     case "frames":
       return current(store.frames.value, framesTitle);
     case "identify":

@@ -1,7 +1,6 @@
 // Where a rate leads in time, what goes wrong, and how well steps follow it.
 import type { MistakeKind, MotionReport, PathReport } from "../../engine.ts";
 import { choicesOf, drawable, textOf } from "../../model/motion_choices.ts";
-import { shown } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { mistakeWords } from "../../words/motion/mistakes.ts";
 import * as words from "../../words/motion/motion.tsx";
@@ -10,6 +9,9 @@ import { ErrorPlot } from "./ErrorPlot.tsx";
 import { Mistakes } from "./Mistakes.tsx";
 
 const nothing = "";
+
+/** How large an error is: `8.86e−2`. */
+const rough = (error: number) => error.toExponential(2).replace("-", "−");
 
 export function PathCard({
   store,
@@ -91,11 +93,9 @@ function Steps({ path }: { path: PathReport }) {
                   <th scope="row">
                     <i class={`series series-${at}`} aria-hidden="true" /> {words.kinds[at]}
                   </th>
-                  <td>
-                    {row === undefined ? "–" : row[2] === 0 ? words.exact : row[2].toExponential(2)}
-                  </td>
+                  <td>{row === undefined ? "–" : row[2] === 0 ? words.exact : rough(row[2])}</td>
                   <td>{order === undefined ? "–" : order.toFixed(2)}</td>
-                  <td>{row === undefined || row[3] === 0 ? "–" : shown(row[3], "4")}</td>
+                  <td>{row === undefined || row[3] === 0 ? "–" : rough(row[3])}</td>
                 </tr>
               );
             })}

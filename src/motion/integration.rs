@@ -19,7 +19,7 @@ use crate::convention::euler_sequence::EulerSequence;
 use crate::motion::kinematics::RateAxes;
 use crate::rotation::precise::Norm;
 use crate::rotation::quaternion::TaggedQuaternion;
-use crate::rotation::rotation_vector::{left_jacobian_inverse, right_jacobian_inverse};
+use crate::rotation::rotation_vector::rotation_vector_rate;
 use nalgebra::{Quaternion, Vector3, Vector4};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
@@ -80,11 +80,13 @@ impl TaggedQuaternion {
         time: f64,
         step: f64,
     ) -> Result<Self, NoStep> {
-        let end = self.runge_kutta_sum(&rate_rad, axes, time, step)?;
+        let start = self.normalize().ok_or(NoStep::NotFinite)?;
+        let end = start.runge_kutta_sum(&rate_rad, axes, time, step)?;
         end.normalize().ok_or(NoStep::NotFinite)
     }
 
-    /// The same before it is divided by its norm, which is 1 but for an error of fifth order.
+    /// The same of a quaternion of norm 1, before the end is divided by its norm, which is 1 but for an error
+    /// of fifth order.
     pub(crate) fn runge_kutta_sum(
         &self,
         rate_rad: &dyn Fn(f64) -> Vector3<f64>,
@@ -96,12 +98,11 @@ impl TaggedQuaternion {
             components: Quaternion { coords },
             ..*self
         };
-        let start = self.normalize().ok_or(NoStep::NotFinite)?.components.coords;
         let derivative = |time, coords: Numbers| {
             let rate = rate_rad(time).into();
             Ok(of(coords).derivative(rate, axes).coords)
         };
-        runge_kutta(time, step, start, &derivative).map(of)
+        runge_kutta(time, step, self.components.coords, &derivative).map(of)
     }
 }
 
@@ -183,12 +184,12 @@ pub fn rotation_vector_runge_kutta_step(
         if !is_finite(&vector) {
             return Err(NoStep::NotFinite);
         }
-        let inverse = match axes {
-            RateAxes::Body => right_jacobian_inverse(&vector.xyz()),
-            RateAxes::World => left_jacobian_inverse(&vector.xyz()),
+        let sign = match axes {
+            RateAxes::Body => 1.0,
+            RateAxes::World => -1.0,
         };
-        let slope = inverse.ok_or(NoStep::Singular)? * rate_rad(time);
-        Ok(slope.push(0.0))
+        let slope = rotation_vector_rate(&(vector.xyz() * sign), &rate_rad(time));
+        Ok(slope.ok_or(NoStep::Singular)?.push(0.0))
     };
     let start = within_half_a_turn(vector_rad)?.push(0.0);
     within_half_a_turn(runge_kutta(time, step, start, &derivative)?.xyz())

@@ -229,17 +229,34 @@ pub fn left_jacobian(vector_rad: &Vector3<f64>) -> Matrix3<f64> {
 /// multiples, where the Jacobian has no inverse, and for a vector whose length is not finite.
 #[must_use]
 pub fn right_jacobian_inverse(vector_rad: &Vector3<f64>) -> Option<Matrix3<f64>> {
-    let angle = Norm::of(vector_rad.as_slice()).value();
-    let half_sine = libm::sin(angle / 2.0).abs();
-    if angle > PI && half_sine <= WHOLE_TURN_RAD / 2.0 {
-        return None;
-    }
-    let Some(axis) = precise::direction(vector_rad) else {
-        return Some(Matrix3::identity());
-    };
-    let inverse = in_powers(&axis, angle / 2.0, one_minus_half_cotangent(angle));
+    let (axis, linear, quadratic) = powers_of_inverse(vector_rad)?;
+    let inverse = in_powers(&axis, linear, quadratic);
     let is_finite = inverse.iter().all(|entry| entry.is_finite());
     is_finite.then_some(inverse)
+}
+
+/// `J_r⁻¹(v) ω_B`; `J_l⁻¹(v) ω_W` is that of `−v`. As [`right_jacobian_inverse`], without the matrix.
+pub(crate) fn rotation_vector_rate(
+    vector_rad: &Vector3<f64>,
+    body_rate: &Vector3<f64>,
+) -> Option<Vector3<f64>> {
+    let (axis, linear, quadratic) = powers_of_inverse(vector_rad)?;
+    let across = axis.cross(body_rate);
+    Some(body_rate + across * linear + axis.cross(&across) * quadratic)
+}
+
+/// The unit axis, and a and b of `J_r⁻¹ = I + a K + b K²`; an axis of zeros for the zero vector.
+fn powers_of_inverse(vector_rad: &Vector3<f64>) -> Option<(Vector3<f64>, f64, f64)> {
+    let angle = Norm::of(vector_rad.as_slice()).value();
+    if angle > PI && libm::sin(angle / 2.0).abs() <= WHOLE_TURN_RAD / 2.0 {
+        return None;
+    }
+    // Rounded twice, which only the last digits of a correction to I can tell.
+    let axis = vector_rad.map(|number| number / angle.max(f64::MIN_POSITIVE));
+    let quadratic = one_minus_half_cotangent(angle);
+    quadratic
+        .is_finite()
+        .then_some((axis, angle / 2.0, quadratic))
 }
 
 /// The inverse of the left Jacobian, `J_l⁻¹(v) = J_r⁻¹(−v)`: the rate of the vector from the world

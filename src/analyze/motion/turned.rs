@@ -4,7 +4,7 @@ use crate::analyze::attitude::Attitude;
 use crate::contract::{Mistake, MistakeKind};
 use crate::convention::Convention;
 use crate::motion::kinematics::RateAxes;
-use nalgebra::{Unit, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 
 /// Hamilton, body to world, of norm 1.
@@ -15,10 +15,16 @@ pub(super) fn unit(attitude: &Attitude) -> UnitQuaternion<f64> {
 
 /// The turn by a rotation vector.
 pub(super) fn exponential(vector_rad: Vector3<f64>) -> UnitQuaternion<f64> {
-    let turn = Unit::try_new_and_get(vector_rad, 0.0);
-    turn.map_or(UnitQuaternion::identity(), |(axis, angle)| {
-        UnitQuaternion::from_axis_angle(&axis, angle)
-    })
+    let half_angle = vector_rad.norm_squared().sqrt() / 2.0;
+    let (sine, cosine) = libm::sincos(half_angle);
+    // Of a vector whose squares are too small for a double the half is its sine.
+    let sinc = if half_angle > 0.0 {
+        sine / half_angle
+    } else {
+        1.0
+    };
+    let turn = Quaternion::from_parts(cosine, vector_rad * (sinc / 2.0));
+    UnitQuaternion::new_unchecked(turn)
 }
 
 /// The attitude after a turn on the axes of the body or of the world.

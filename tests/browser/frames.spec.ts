@@ -28,6 +28,8 @@ test("the question, a row and a point are typed by keyboard, and the address hol
   await page.goto("/#frames");
   await tabTo(page, asked(page));
   await page.keyboard.type("c_2");
+  // The last answer stays, grey.
+  await expect(page.locator(".result.old")).toContainText("I2 in G");
   await expect(page.locator("#frames-problems")).toContainText("Write C2");
   await tabTo(page, page.getByRole("button", { name: "Write C2" }));
   await page.keyboard.press("Enter");
@@ -56,6 +58,14 @@ test("one row that cannot be read, and frames that do not meet, say what to do",
   const row = page.locator(".frames-row").nth(1);
   await expect(row).toContainText("3 numbers: a quaternion has 4");
   await expect(answer(page)).toHaveCount(0);
+  await field(page, 2, "Rotation").fill("45 about z");
+  await row.getByRole("button", { name: "These are radians" }).click();
+  await expect(field(page, 2, "Rotation")).toHaveValue("45 rad about z");
+  await expect(field(page, 2, "Rotation")).toBeFocused();
+  await field(page, 2, "Rotation").fill(
+    "[[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]]",
+  );
+  await expect(row).toContainText("at [5, 6, 7]");
   await field(page, 2, "Rotation").fill("1 0 0 0");
   await expect(page.getByRole("button", { name: "Add a row: C in W" })).toBeVisible();
   await page.getByRole("button", { name: "Call IMU imu" }).click();

@@ -1,4 +1,5 @@
 // The Frames view: named frames, what is known between them, and where one stands in another.
+import { useRef } from "preact/hooks";
 import { columnValues, eulerValue } from "../../copy/values.ts";
 import type { FoundPose, FramesReport } from "../../engine.ts";
 import {
@@ -30,6 +31,10 @@ export { askedOfFrames } from "./asked.ts";
 
 export function Frames({ store }: { store: Store }) {
   const report = store.frames.value?.report;
+  // While the question or a row has a problem the last answer stays, grey.
+  const answered = useRef<FramesReport>(undefined);
+  if (report?.answer) answered.current = report;
+  const last = answered.current;
   const rig = rigOf(store.state.value.frames);
   const change = changing(store);
   return (
@@ -47,8 +52,10 @@ export function Frames({ store }: { store: Store }) {
       </section>
       <div class="frames-result result current">
         <div class="frames-side">
-          {report?.answer ? (
-            <Answer store={store} report={report} answer={report.answer} />
+          {last?.answer ? (
+            <div class={`result ${report === last ? "current" : "old"}`}>
+              <Answer store={store} report={last} answer={last.answer} />
+            </div>
           ) : (
             <p class="card frames-none">{words.noAnswer}</p>
           )}

@@ -1,9 +1,12 @@
 // What is known between frames, a row a pose, and the question.
-import type { FramesReport, Problem, Suggestion } from "../../engine.ts";
+import type { Field, FramesReport, Note, Problem, Suggestion } from "../../engine.ts";
+import { shownArray } from "../../number/format.ts";
+import { announce } from "../../state/announcement.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/frames/frames.tsx";
-import { noteWords } from "../../words/parts/notes.tsx";
+import { doneWords, fixWords, noteWords, wholeWords } from "../../words/parts/notes.tsx";
 import { MarkedText } from "../parts/MarkedText.tsx";
+import "../parts/notes.css";
 import {
   emptyRow,
   examples,
@@ -110,6 +113,29 @@ function ProblemLine({ problem, rig, change }: { problem: Problem; rig: Rig; cha
   );
 }
 
+/** A text in place of that of a field of a row. */
+interface RowFix {
+  label: string;
+  text: string;
+}
+
+const fixOf = ({ remedy, text, label }: Suggestion): RowFix => ({
+  label: label ?? wholeWords.there?.remedyWords[remedy] ?? remedy,
+  text,
+});
+
+const fixesOfProblem = ({ suggestion, choices }: Problem): RowFix[] =>
+  [...(suggestion ? [suggestion] : []), ...choices].map(fixOf);
+
+function fixesOfNote({ fact, suggestions }: Note): RowFix[] {
+  const units: RowFix[] = [];
+  if (fact.kind === "angle-unit-assumed") {
+    if (fact.inDegrees) units.push({ label: fixWords.degrees, text: fact.inDegrees });
+    if (fact.inRadians) units.push({ label: fixWords.radians, text: fact.inRadians });
+  }
+  return [...units, ...suggestions.map(fixOf)];
+}
+
 export function Rows({
   store,
   rig,
@@ -184,8 +210,28 @@ function OneRow({
   const told = `frames-row-${at}`;
   const problemOf = (field: Problem["field"]) =>
     problems.find((problem) => problem.field === field);
+  const fixes = (field: Field, offered: readonly RowFix[]) =>
+    offered.map(({ label, text }) => (
+      <button
+        key={`${label} ${text}`}
+        type="button"
+        class="fix"
+        onClick={() => {
+          store.step();
+          onChange({ [field]: text });
+          store.step();
+          announce(doneWords(label));
+          // The button is gone with what it mended.
+          document.getElementById(`${told}-${field}`)?.focus();
+        }}
+      >
+        <span class="fix-label">{label}</span>
+        <code class="fix-text">{text}</code>
+      </button>
+    ));
   const name = (field: "child" | "parent") => (
     <input
+      id={`${told}-${field}`}
       class="frame-name"
       aria-label={words.ofRow(at, words.columns[field])}
       aria-invalid={problemOf(field) !== undefined}
@@ -246,11 +292,20 @@ function OneRow({
         {problems.map((problem) => (
           <p key={problem.field} class="frames-problem">
             {words.problemOf(problem)}
+            {fixes(problem.field, fixesOfProblem(problem))}
           </p>
         ))}
         {notes.map((note) => (
-          <p key={note.fact.kind}>{noteWords(note, digits, unit)}</p>
+          <p key={note.fact.kind}>
+            {noteWords(note, digits, unit)}
+            {fixes(note.field, fixesOfNote(note))}
+          </p>
         ))}
+        {read?.position && row.position.trim() === "" && (
+          <p>
+            {words.at} <code>{shownArray(read.position, digits)}</code>
+          </p>
+        )}
       </div>
     </li>
   );

@@ -45,6 +45,7 @@ export const noAnswer = "There is no answer yet: see above.";
 
 export const title = (child: string, parent: string) => `${child} in ${parent}`;
 export const position = "position";
+export const at = "at";
 export const noPosition = "A row on the way has no position, so only the rotation is known.";
 export const turn = (angle: string, axis: string) => `turned by ${angle} about ${axis}`;
 export const noTurn = "not turned";

@@ -14,11 +14,15 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[(&str, &[&str])] = &[
     ("character", &[]),
     ("decimal", &[]),
-    ("convention", &[]),
+    ("double_double", &[]),
+    ("convention", &["double_double"]),
     ("problem", &["character", "convention"]),
-    ("rotation", &["convention"]),
+    ("rotation", &["double_double", "convention"]),
     ("motion", &["convention", "rotation"]),
-    ("frames", &["convention", "rotation", "problem"]),
+    (
+        "frames",
+        &["double_double", "convention", "rotation", "problem"],
+    ),
     ("library", &["convention"]),
     ("errata", &["convention", "rotation"]),
     // Planned: many rotations at once, as slices of numbers; no text.

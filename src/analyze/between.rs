@@ -2,10 +2,12 @@
 
 use crate::analyze::attitude::{Attitude, Declared, computed_column};
 use crate::analyze::describe::{euler, turn};
-use crate::analyze::plain_numbers::plain;
+use crate::analyze::motion::texts::Reader;
+use crate::analyze::plain_numbers::{coordinates, plain};
 use crate::contract::request::BetweenRequest;
-use crate::contract::{BetweenReport, Form, Verdict};
+use crate::contract::{BetweenReport, Form, Mistake, MistakeKind, RateBetween, Verdict};
 use crate::convention::{Convention, Perturbation};
+use crate::motion::kinematics::RateAxes;
 use crate::problem::{Field, Problem};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
@@ -18,16 +20,13 @@ pub(crate) fn between(request: &BetweenRequest) -> Result<BetweenReport, Vec<Pro
     let declared = Declared::plain(request.convention, request.matrix);
     let p = Attitude::of_text(&request.p, Field::P, declared);
     let q = Attitude::of_text(&request.q, Field::Q, declared);
-    let part = part(&request.part);
-    let (p, q, part) = match (p, q, part) {
-        (Ok(p), Ok(q), Ok(part)) => (p, q, part),
-        (p, q, part) => {
-            let mut problems = Vec::new();
-            problems.extend(p.err());
-            problems.extend(q.err());
-            problems.extend(part.err());
-            return Err(problems);
-        }
+    let mut reader = Reader::default();
+    let p = reader.unless_problem(p);
+    let q = reader.unless_problem(q);
+    let part = reader.unless_problem(part(&request.part));
+    let duration_s = reader.duration(&request.duration);
+    let (Some(p), Some(q), Some(part), true) = (p, q, part, reader.problems.is_empty()) else {
+        return Err(reader.problems);
     };
     let local = p.rotation.turn_to(&q.rotation);
     let global = q.rotation * p.rotation.inverse();
@@ -69,6 +68,7 @@ pub(crate) fn between(request: &BetweenRequest) -> Result<BetweenReport, Vec<Pro
         quaternion_distance: plain(typed),
         negated_quaternion_distance: plain(if typed > shorter { shorter } else { longer }),
         part,
+        rate: duration_s.map(|duration_s| rate(&p.rotation, &q.rotation, duration_s)),
         way: at(part),
         halfway: at(0.5),
         p_euler,
@@ -78,6 +78,21 @@ pub(crate) fn between(request: &BetweenRequest) -> Result<BetweenReport, Vec<Pro
         p: p.as_read(),
         q: q.as_read(),
     })
+}
+
+fn rate(p: &Rotation, q: &Rotation, duration_s: f64) -> RateBetween {
+    let on = |axes| coordinates(&p.rate_to(q, axes, duration_s));
+    // The rate taken of half of the turn leads half of the way.
+    let half_forgotten = Mistake {
+        kind: MistakeKind::HalfForgotten,
+        angle_deg: plain(p.angle_to_rad(q).to_degrees() / 2.0),
+    };
+    RateBetween {
+        duration_s,
+        body_rad: on(RateAxes::Body),
+        world_rad: on(RateAxes::World),
+        mistakes: vec![half_forgotten],
+    }
 }
 
 /// The part that a text holds; half of the way where it is empty.

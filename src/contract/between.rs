@@ -2,6 +2,7 @@
 
 use crate::contract::attitude::{Column, Euler, ReadQuaternion, Turn};
 use crate::contract::note::Note;
+use crate::contract::translation::Mistake;
 use serde::{Deserialize, Serialize, Serializer};
 use strum::VariantNames;
 
@@ -43,6 +44,8 @@ pub struct BetweenReport {
     pub way: Column,
     /// The attitude half way, in the declared convention.
     pub halfway: Column,
+    /// Where a duration was given: the constant rate that leads from p to q in it.
+    pub rate: Option<RateBetween>,
     /// p as Euler angles in the requested sequence.
     pub p_euler: Euler,
     /// q as Euler angles in the same sequence.
@@ -52,6 +55,23 @@ pub struct BetweenReport {
     pub euler_differences_deg: [f64; 3],
     /// What a careful reader should know about these inputs.
     pub notes: Vec<Note>,
+}
+
+/// The constant angular velocity of the body against the world, right-handed, that leads from p to q by the
+/// shorter turn (specification, FX-06); of half a turn either way round is as short.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct RateBetween {
+    /// The time from p to q, in seconds.
+    pub duration_s: f64,
+    /// On the axes of the body, in rad/s: `Log(R_WP⁻¹ R_WQ)` over the duration.
+    pub body_rad: [f64; 3],
+    /// The same on the axes of the world, `Log(R_WQ R_WP⁻¹)` over the duration.
+    pub world_rad: [f64; 3],
+    /// What goes wrong, and how far from q the body is then after the duration: without the half of the
+    /// angle that a quaternion holds, the rate is half as large.
+    pub mistakes: Vec<Mistake>,
 }
 
 /// What two attitudes are to each other; the first that holds, within 2·10⁻⁴ rad, which four decimals keep.

@@ -105,6 +105,10 @@ pub struct BetweenRequest {
     /// The part of the way, a number: 0 is p, 1 is q; half of it where it is left out or empty.
     #[serde(default)]
     pub part: Text,
+    /// The time from p to q, of which the rate is asked: `0.25 s`, `250 ms`, `2 min`; without a unit it is in
+    /// seconds. Where it is left out or empty, no rate is.
+    #[serde(default)]
+    pub duration: Text,
 }
 
 /// Many attitudes, multiplied from left to right.

@@ -7,7 +7,16 @@ use crate::wasm::members::Members;
 use crate::wasm::refusal::{Typed, refused};
 use crate::wasm::request::{convention, euler, matrix};
 
-pub(crate) const BETWEEN: [&str; 7] = ["view", "p", "q", "convention", "matrix", "euler", "part"];
+pub(crate) const BETWEEN: [&str; 8] = [
+    "view",
+    "p",
+    "q",
+    "convention",
+    "matrix",
+    "euler",
+    "part",
+    "duration",
+];
 pub(crate) const CHAIN: [&str; 5] = ["view", "factors", "convention", "matrix", "euler"];
 pub(crate) const ATLAS: [&str; 4] = ["view", "quaternion", "convention", "matrix"];
 pub(crate) const SWING_TWIST: [&str; 5] = ["view", "quaternion", "axis", "convention", "matrix"];
@@ -24,6 +33,7 @@ pub(crate) fn between_request(request: &Members<'_>) -> Typed<BetweenRequest> {
         matrix: matrix(request)?,
         euler: euler(request)?,
         part: request.text_or_empty("part")?,
+        duration: request.text_or_empty("duration")?,
     })
 }
 

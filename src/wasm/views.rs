@@ -161,6 +161,7 @@ pub(crate) fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
             answer(&view, between(&request), &texts, &|field, _| match field {
                 Field::P => &request.p,
                 Field::Q => &request.q,
+                Field::Duration => &request.duration,
                 _ => &request.part,
             })
         }

@@ -5,8 +5,8 @@ use crate::support::{all_conventions, assert_close, wxyz};
 use quatlas::nalgebra::{Quaternion, Vector3};
 use quatlas::{
     BetweenReport, BetweenRequest, Column, Convention, EulerSequence, Field, MatrixConvention,
-    Outcome, Perturbation, ProblemCode, Request, Rotation, Side, TaggedQuaternion, Verdict,
-    analyze,
+    MistakeKind, MotionRequest, Outcome, Perturbation, ProblemCode, RateAxes, RateBetween, Request,
+    Rotation, Side, TaggedQuaternion, Verdict, analyze,
 };
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -21,7 +21,28 @@ fn request(p: &str, q: &str, part: &str, convention: Convention) -> Request {
         matrix: MatrixConvention::default(),
         euler: EulerSequence::default(),
         part: part.to_owned(),
+        duration: String::new(),
     })
+}
+
+fn in_time(p: &str, q: &str, duration: &str, convention: Convention) -> Outcome {
+    analyze(&Request::Between(BetweenRequest {
+        p: p.to_owned(),
+        q: q.to_owned(),
+        convention,
+        matrix: MatrixConvention::default(),
+        euler: EulerSequence::default(),
+        part: String::new(),
+        duration: duration.to_owned(),
+    }))
+}
+
+#[track_caller]
+fn rate_of(p: &str, q: &str, duration: &str, convention: Convention) -> RateBetween {
+    match in_time(p, q, duration, convention) {
+        Outcome::Between(report) => report.rate.expect("a duration was given"),
+        outcome => panic!("{outcome:?}"),
+    }
 }
 
 #[track_caller]
@@ -281,6 +302,93 @@ fn angles_between_attitudes_answer_the_questions() {
         "0.8880738340 0 -0.3250575837 0.3250575837",
     );
     assert!((arcs.local.angle_deg - 15.0).abs() < 1e-4);
+}
+
+/// The question of the rate between two attitudes: a program that forgot the half angle says half of it, and
+/// is 30° short of the 60° then.
+#[wasm_bindgen_test(unsupported = test)]
+fn the_rate_between_two_attitudes_and_the_half_that_is_forgotten() {
+    for duration in ["0.25 s", "250 ms", "0.25", "1/4 sec", " 0.25 s "] {
+        let rate = rate_of("1 0 0 0", "60deg about x", duration, Convention::HAMILTON);
+        assert_eq!(rate.duration_s, 0.25, "{duration}");
+        assert_close("ω", &rate.body_rad, &[4.188_790, 0.0, 0.0], 1e-6);
+        assert_eq!(rate.body_rad, rate.world_rad);
+        let [forgotten] = rate.mistakes[..] else {
+            panic!("{:?}", rate.mistakes);
+        };
+        assert_eq!(forgotten.kind, MistakeKind::HalfForgotten);
+        assert!((forgotten.angle_deg - 30.0).abs() < 1e-13);
+    }
+    let back = rate_of("60deg about x", "0 0 0 1", "0.25", Convention::JPL);
+    assert_close("−ω", &back.body_rad, &[-4.188_790, 0.0, 0.0], 1e-6);
+    let none = rate_of(A, A, "2 min", Convention::JPL);
+    assert_eq!((none.duration_s, none.body_rad), (120.0, [0.0; 3]));
+    assert_eq!(none.mistakes[0].angle_deg, 0.0, "it does not show");
+    assert!(plain(A, B).rate.is_none(), "nobody asked");
+}
+
+/// One body turns at one rate, whatever the quaternions are: that which Motion leads from p to q by, on
+/// either axes.
+#[wasm_bindgen_test(unsupported = test)]
+fn all_conventions_have_one_rate_and_motion_goes_back_by_it() {
+    let reference = rate_of(A, B, "0.5", Convention::HAMILTON);
+    // The turns computed elsewhere, in half a second.
+    let body = [-0.774_880, 2.547_882, -0.129_904];
+    assert_close("body", &reference.body_rad, &body, 1e-6);
+    let world = [-2.487_250, 0.617_920, -0.735_382];
+    assert_close("world", &reference.world_rad, &world, 1e-6);
+    for convention in all_conventions() {
+        let rate = rate_of(A, B, "0.5", convention);
+        assert_eq!(rate, reference, "{convention}");
+        for (numbers, rate_axes) in [
+            (rate.body_rad, RateAxes::Body),
+            (rate.world_rad, RateAxes::World),
+        ] {
+            let [x, y, z] = numbers;
+            let asked = Request::Motion(MotionRequest {
+                rate: format!("{x} {y} {z}"),
+                rate_axes,
+                duration: "0.5".to_owned(),
+                ..MotionRequest::new(A, convention)
+            });
+            let Outcome::Motion(motion) = analyze(&asked) else {
+                panic!("a way");
+            };
+            let way = motion.path.expect("a rate and a duration");
+            let [_, end @ ..] = way.ways[0][way.ways[0].len() - 1];
+            let end = TaggedQuaternion::from_array(end, Convention::HAMILTON);
+            let end = Rotation::from_tagged(&end).expect("not zero");
+            let reached = end.angle_to_rad(&exponential([-0.6, 0.25, 0.9]));
+            assert!(reached < 1e-14, "{convention} {reached}");
+        }
+    }
+}
+
+#[wasm_bindgen_test(unsupported = test)]
+fn a_time_in_which_nothing_moves_is_a_problem() {
+    for (duration, code) in [
+        ("0", ProblemCode::OutOfBounds),
+        ("-1 s", ProblemCode::OutOfBounds),
+        ("1e308 h", ProblemCode::Infinite),
+        ("1 2", ProblemCode::WrongCount),
+    ] {
+        let Outcome::Problems(found) = in_time(A, B, duration, Convention::HAMILTON) else {
+            panic!("{duration}");
+        };
+        let [problem] = &found.problems[..] else {
+            panic!("{:?}", found.problems);
+        };
+        assert_eq!(
+            (problem.field, problem.code),
+            (Field::Duration, code),
+            "{duration}"
+        );
+    }
+    // As near to each other as times may be, and as far.
+    for duration in ["1e-100", "1e308"] {
+        let rate = rate_of(A, B, duration, Convention::HAMILTON);
+        assert!(rate.body_rad.iter().all(|number| number.is_finite()));
+    }
 }
 
 #[wasm_bindgen_test(unsupported = test)]

@@ -84,6 +84,30 @@ test("between p and q: what they are to each other, how far, and the way by a sl
   await expect(card).toContainText("one rotation by opposite quaternions: q is −p");
 });
 
+test("the rate between p and q in a time that is typed, and the half that is forgotten", async ({
+  page,
+}) => {
+  await page.goto("/#compose?v=1&p=1+0+0+0&q=60deg+about+x&open=between");
+  const card = region(page, "Between p and q");
+  const time = card.getByRole("textbox", { name: "time from p to q" });
+  await expect(card).toContainText("A time, as 0.25 s or 250 ms");
+  await time.focus();
+  await typeOver(page, "250 ms");
+  // The question of questions.json: who forgets the half angle says 2.0944.
+  await expectRow(card, "ω on the body's axes", [4.18879, 0, 0]);
+  await expectRow(card, "ω on the world's axes", [4.18879, 0, 0]);
+  await expect(card).toContainText("rad/s · 240°/s about x");
+  await expect(card).toContainText("it is 30° short of q");
+  await expect(page).toHaveURL(/within=250\+ms/);
+  await typeOver(page, "0 s");
+  await expect(card.locator(".problem")).toContainText("Expected: a duration above zero");
+  expect(await violationsIn(page, "section.asked")).toEqual([]);
+  await page.goto("/#compose?v=1&p=45deg+about+z&q=45deg+about+z&open=between&within=2+s");
+  await page.reload();
+  await expectRow(card, "ω on the body's axes", [0, 0, 0]);
+  await expect(card).not.toContainText("short of q");
+});
+
 test("more than two: factors are added, inverted and taken away again", async ({ page }) => {
   await page.goto(`/#compose?v=1&${composed}&open=chain`);
   const card = region(page, "More than two");

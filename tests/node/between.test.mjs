@@ -51,6 +51,18 @@ test("the distances of G27, the turn on both sets of axes, and half way", () => 
   close(eulerDifferencesDeg, [2, 0, 0], 1e-13);
 });
 
+test("the rate between two attitudes, and the half that is forgotten", () => {
+  const asked = { p: "1 0 0 0", q: "60deg about x", convention: HAMILTON };
+  const { rate } = between({ ...asked, duration: "250 ms" });
+  close(rate.bodyRad, [4.18879, 0, 0], 1e-6);
+  assert.equal(rate.durationS, 0.25);
+  assert.equal(rate.mistakes[0].kind, "half-forgotten");
+  close(rate.mistakes[0].angleDeg, 30, 1e-13);
+  assert.equal(between(asked).rate, undefined);
+  const { problems } = between({ ...asked, duration: "0" });
+  assert.deepEqual([problems[0].field, problems[0].code], ["duration", "out-of-bounds"]);
+});
+
 test("the product of G25, its inverse, and the mean", () => {
   const report = chain({ factors: [{ text: a }, { text: b }], convention: HAMILTON });
   const wanted = outputOf("G25");

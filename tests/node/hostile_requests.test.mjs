@@ -89,6 +89,7 @@ const good = {
     matrix: { function: "passive", direction: "body-to-world" },
     euler: { axes: "zyx", frame: "intrinsic" },
     part: "0.5",
+    duration: "0.25 s",
   }),
   chain: () => ({
     view: "chain",
@@ -254,6 +255,7 @@ test("a member that is missing is named, unless it may be", () => {
     numbers: /^quaternion$/,
     matrices: /^(?!view$)/,
     frames: /^(point|position)$/,
+    between: /^duration$/,
     motion: /^(rate|rateEnd|rateAxes|duration|steps|increment|incrementSign)$/,
   };
   for (const view of views) {

@@ -24,6 +24,7 @@ const texts = {
   beside: "beside",
   open: "open",
   part: "part",
+  within: "within",
   factors: "factors",
   axis: "axis",
   frames: "frames",

@@ -71,6 +71,8 @@ export interface PageState {
   open: string;
   /** The part of the way from p to q. */
   part: string;
+  /** The time from p to q, of which the rate is asked; empty where it is not. */
+  within: string;
   /** What is multiplied besides p and q, and what is inverted; see `factors.ts` of Compose. */
   factors: string;
   /** The axis of a twist. */
@@ -131,6 +133,7 @@ export const opening: PageState = {
   beside: "",
   open: "",
   part: "0.5",
+  within: "",
   factors: "",
   axis: "z",
   rate: "0.3 -0.2 0.5",

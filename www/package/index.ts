@@ -232,7 +232,8 @@ export function compose(
 
 /**
  * How two attitudes differ: what the texts are to each other, the turn from p to q on the axes of the body
- * and of the world, the error quaternion with its side, three distances, and the way from one to the other.
+ * and of the world, the error quaternion with its side, three distances, the way from one to the other, and
+ * the rate that leads there in a given time.
  *
  * What is typed never throws, see `analyze`.
  *
@@ -251,6 +252,10 @@ export function compose(
  * Math.round(local.angleDeg); // 80
  * Math.round(2 * Math.acos(way.unit.w) * (180 / Math.PI)); // 30
  * jpl.rules.increment; // "left": q = δq ⊗ p
+ *
+ * // The gyroscope between two attitudes that are 250 ms apart, in rad/s.
+ * const { rate } = between({ p: "1 0 0 0", q: "60deg about x", convention: HAMILTON, duration: "250 ms" });
+ * rate.bodyRad[0].toFixed(4); // "4.1888", and not the half of it
  */
 export function between(
   request: BetweenRequest,

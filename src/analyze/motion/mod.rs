@@ -19,7 +19,7 @@ mod path;
 mod sided;
 
 // The texts of rates, small turns and times.
-mod texts;
+pub(crate) mod texts;
 
 // Turns, and how far one is off.
 mod turned;

@@ -19,8 +19,8 @@ const SHORTEST_S: f64 = 1e-100;
 
 /// What is read of the texts of one request.
 #[derive(Default)]
-pub(super) struct Reader {
-    pub(super) problems: Vec<Problem>,
+pub(crate) struct Reader {
+    pub(crate) problems: Vec<Problem>,
     pub(super) notes: Vec<Note>,
 }
 
@@ -54,18 +54,19 @@ impl Reader {
     }
 
     /// A time above zero, in seconds.
-    pub(super) fn duration(&mut self, text: &str) -> Option<f64> {
+    pub(crate) fn duration(&mut self, text: &str) -> Option<f64> {
         if text.trim().is_empty() {
             return None;
         }
         let (number, unit) = without_unit(text, OF_TIMES);
         let read = parse_number(number).map_err(|fault| fault.in_field(Field::Duration));
         let seconds = self.unless_problem(read)? * unit.unwrap_or(1.0);
+        let span = Span::of_trimmed(text);
         if seconds < SHORTEST_S {
-            self.refuse(
-                Fault::not_a_duration(Span::of_trimmed(text)),
-                Field::Duration,
-            );
+            self.refuse(Fault::not_a_duration(span), Field::Duration);
+        } else if seconds.is_infinite() {
+            // By its unit alone.
+            self.refuse(Fault::infinite(span), Field::Duration);
         }
         Some(seconds)
     }
@@ -75,7 +76,7 @@ impl Reader {
     }
 
     /// What was read, unless there was a problem.
-    pub(super) fn unless_problem<Read>(&mut self, read: Result<Read, Problem>) -> Option<Read> {
+    pub(crate) fn unless_problem<Read>(&mut self, read: Result<Read, Problem>) -> Option<Read> {
         read.map_err(|problem| self.problems.push(problem)).ok()
     }
 }

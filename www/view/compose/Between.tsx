@@ -1,6 +1,6 @@
 // How p and q differ: what they are to each other, the rotation between, and the way from one to the other.
 import { columnValues } from "../../copy/values.ts";
-import type { BetweenReport, Request } from "../../engine.ts";
+import type { BetweenReport, Field, RateBetween, Request } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
 import { sequenceName } from "../../model/euler_sequence.ts";
 import type { PageState } from "../../model/page_state.ts";
@@ -21,8 +21,9 @@ import { ArrayRow } from "../parts/Value.tsx";
 import "./between.css";
 
 export function askedOfBetween(state: PageState): Request {
-  const { p, q, matrix, euler, part } = state;
-  return { view: "between", p, q, convention: declaredConvention(state), matrix, euler, part };
+  const { p, q, matrix, euler, part, within: duration } = state;
+  const convention = declaredConvention(state);
+  return { view: "between", p, q, convention, matrix, euler, part, duration };
 }
 
 const loadPicture = () =>
@@ -31,13 +32,14 @@ const loadPicture = () =>
 export function Between({ store }: { store: Store }) {
   const { report, problems, old } = useAsked(store, askedOfBetween, "between");
   const Picture = useLater(loadPicture);
-  const { part } = store.state.value;
-  const problem = problems.find(({ field }) => field === "part");
+  const { part, within } = store.state.value;
+  const problemOf = (name: Field) => problems.find(({ field }) => field === name);
+  const isUnread = problemOf("p") ?? problemOf("q");
   const move = (part: string) => store.set({ part }, { as: "part" });
   return (
     <section class="card asked" aria-label={words.title}>
       {report === undefined ? (
-        <p class="asked-lead">{problem === undefined && words.unread}</p>
+        <p class="asked-lead">{isUnread && words.unread}</p>
       ) : (
         <div class={`asked ${old}`}>
           <p class="asked-sentence" role="status">
@@ -46,11 +48,35 @@ export function Between({ store }: { store: Store }) {
           <Differences store={store} report={report} />
         </div>
       )}
+      <div class="asked">
+        <h3>{words.rate}</h3>
+        <div class="between-part">
+          <AskedText
+            label={words.duration}
+            symbol={words.within}
+            text={within}
+            problem={problemOf("duration")}
+            onInput={(within) => store.set({ within }, { as: "within" })}
+          />
+          {within === "" && <p class="asked-lead">{words.rateLead}</p>}
+        </div>
+        {report?.rate && (
+          <div class={old}>
+            <Rate store={store} report={report} rate={report.rate} />
+          </div>
+        )}
+      </div>
       <div class="between-way">
         <div class="asked">
           <h3>{words.way}</h3>
           <div class="between-part">
-            <AskedText label={words.part} symbol="t" text={part} problem={problem} onInput={move} />
+            <AskedText
+              label={words.part}
+              symbol="t"
+              text={part}
+              problem={problemOf("part")}
+              onInput={move}
+            />
             <input
               type="range"
               min={0}
@@ -162,6 +188,35 @@ function Differences({ store, report }: { store: Store; report: BetweenReport })
         />
       </div>
     </div>
+  );
+}
+
+function Rate({ store, report, rate }: { store: Store; report: BetweenReport; rate: RateBetween }) {
+  const { digits, unit } = store.state.value;
+  const perSecond = shownAngle(fromRadians(report.local.angleRad / rate.durationS), digits, unit);
+  const off = rate.mistakes.find(({ angleDeg }) => angleDeg > 0);
+  return (
+    <>
+      {(
+        [
+          ["local", rate.bodyRad],
+          ["global", rate.worldRad],
+        ] as const
+      ).map(([axes, numbers]) => {
+        const { axis } = report[axes];
+        return (
+          <ArrayRow
+            key={axes}
+            name={words.rateOn[axes]}
+            symbol={words.rateOn[axes]}
+            numbers={numbers}
+            digits={digits}
+            note={axis && words.rateAbout(perSecond, shownAxis(axis, digits))}
+          />
+        );
+      })}
+      {off && <p class="asked-lead">{words.halfForgotten(shownRoughAngle(off.angleDeg, unit))}</p>}
+    </>
   );
 }
 

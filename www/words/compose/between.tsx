@@ -44,6 +44,17 @@ export const euler = (sequence: string) => `Euler angles ${sequence}`;
 export const eulerDifference = "of q less those of p";
 export const noTurn = (unit: Unit) => `${unit}, by the shorter way round; no rotation`;
 
+export const rate = "The rate from p to q";
+export const within = "in";
+export const duration = "time from p to q";
+export const rateLead = "A time, as 0.25 s or 250 ms, tells the angular velocity.";
+export const rateOn = { local: "ω on the body's axes", global: "ω on the world's axes" };
+export const rateAbout = (perSecond: string, axis: string) =>
+  `rad/s · ${perSecond}/s about ${axis}`;
+/** A quaternion holds half of the angle. */
+export const halfForgotten = (off: string) =>
+  `The usual mistake is half of it, from the half angle of the quaternion: after this time it is ${off} short of q.`;
+
 export const way = "The way from p to q";
 export const part = "part t of the way";
 export const at = (part: string) => `at t = ${part}`;

@@ -29,6 +29,9 @@ mod members;
 #[cfg(feature = "whole")]
 mod motion_request;
 
+// Reports as plain objects of JavaScript.
+mod plain_data;
+
 // What is thrown at a caller.
 mod refusal;
 
@@ -44,12 +47,13 @@ mod views;
 use crate::analyze::describe::describe_convention as described_convention;
 use crate::convention::Convention;
 use crate::text::parse_number;
-use crate::wasm::answer::{STATUS, to_js};
+use crate::wasm::answer::STATUS;
 use crate::wasm::members::Members;
+use crate::wasm::plain_data::to_js;
 use crate::wasm::refusal::Typed;
 use crate::wasm::request_texts::Texts;
 use crate::wasm::views::answer_of;
-use js_sys::{JsString, Object, Reflect, TypeError};
+use js_sys::{JsString, Object, Reflect};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -116,7 +120,7 @@ pub fn analyze(
 
 /// The named conventions.
 #[wasm_bindgen(unchecked_return_type = "Presets")]
-pub fn presets() -> Result<JsValue, TypeError> {
+pub fn presets() -> JsValue {
     to_js(&Presets {
         hamilton: Convention::HAMILTON,
         jpl: Convention::JPL,
@@ -135,7 +139,7 @@ pub fn describe_convention(
 ) -> Typed<JsValue> {
     let texts = Texts::default();
     let convention = request::convention(&Members::of_request(&convention, &texts)?)?;
-    Ok(to_js(&described_convention(convention))?)
+    Ok(to_js(&described_convention(convention)))
 }
 
 /// The one number that a text holds; undefined where it holds none, or several.
@@ -148,14 +152,14 @@ pub fn read_number(text: &JsString) -> Option<f64> {
 /// What a library does by itself; undefined for an id that no library has.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = describeLibrary, unchecked_return_type = "LibraryDescription | undefined")]
-pub fn describe_library(id: &str) -> Result<JsValue, TypeError> {
-    described_library(id).map_or(Ok(JsValue::UNDEFINED), |description| to_js(&description))
+pub fn describe_library(id: &str) -> JsValue {
+    to_js(&described_library(id))
 }
 
 /// The probes that are proposed, one of each kind.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = standardProbes, unchecked_return_type = "Probe[]")]
-pub fn probes() -> Result<JsValue, TypeError> {
+pub fn probes() -> JsValue {
     to_js(&standard_probes())
 }
 

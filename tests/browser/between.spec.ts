@@ -108,6 +108,33 @@ test("the rate between p and q in a time that is typed, and the half that is for
   await expect(card).not.toContainText("short of q");
 });
 
+test("each product as rotation vector and Euler angles, and its inverse in both notations", async ({
+  page,
+}) => {
+  await page.goto(`/#compose?v=1&${composed}`);
+  await fold(page, /^p ⊙ q = q ⊗ p as rotation vector/).focus();
+  await page.keyboard.press("Enter");
+  const forms = region(page, "p ⊙ q in other forms");
+  // G25, and the inverse of its quaternion by hand.
+  await expectRow(forms, "rotation vector", [-0.62586, -0.969051, 1.653037]);
+  const { w, x, y, z } = { w: 0.533654, x: -0.262576, y: -0.406561, z: 0.693524 };
+  await expectRow(forms, "(p ⊙ q)⁻¹ = q⁻¹ ⊙ p⁻¹", [w, -x, -y, -z]);
+  await expectRow(forms, "(q ⊗ p)⁻¹ = p⁻¹ ⊗ q⁻¹", [-x, -y, -z, w]);
+  await page.getByText(/^The other order/).click();
+  await fold(page, /^q ⊙ p = p ⊗ q as rotation vector/).focus();
+  await page.keyboard.press("Enter");
+  const swapped = region(page, "q ⊙ p in other forms");
+  // The inverse of the product that the test of many factors multiplies in reverse.
+  await expectRow(swapped, "(q ⊙ p)⁻¹ = p⁻¹ ⊙ q⁻¹", [0.533654, -0.134511, -0.040986, -0.83393]);
+  await expect(page).toHaveURL(/open=forms,other-forms|open=forms%2Cother-forms/);
+  expect(await violationsIn(page, "section.asked")).toEqual([]);
+  await page.setViewportSize({ width: 360, height: 780 });
+  expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
+  // In JPL the declared product is p ⊗ q.
+  await page.goto(`/#compose?v=1&${composed}&as=jpl&open=forms`);
+  await expectRow(swapped, "(p ⊗ q)⁻¹ = q⁻¹ ⊗ p⁻¹", [-0.134511, -0.040986, -0.83393, 0.533654]);
+});
+
 test("more than two: factors are added, inverted and taken away again", async ({ page }) => {
   await page.goto(`/#compose?v=1&${composed}&open=chain`);
   const card = region(page, "More than two");

@@ -1,10 +1,8 @@
 // A product of any number of factors, each as it is or inverted, in both notations; and their mean.
-import { columnValues, eulerValue } from "../../copy/values.ts";
+import { columnValues } from "../../copy/values.ts";
 import type { ChainReport, Request } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
-import { sequenceName } from "../../model/euler_sequence.ts";
 import type { PageState, Preset } from "../../model/page_state.ts";
-import { fromRadians, shownAngle, shownAxis } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/compose/chain.tsx";
 import { arrowOf, wordsOf } from "../../words/conventions.ts";
@@ -12,7 +10,10 @@ import { AskedText, useAsked } from "../parts/asked.tsx";
 import { Notes } from "../parts/Notes.tsx";
 import { ArrayRow, Matrix } from "../parts/Value.tsx";
 import { type Factor, factorsOf, factorsText, isReversed, mostFactors } from "./factors.ts";
+import { TurnRows } from "./ProductForms.tsx";
 import "./chain.css";
+
+export { DeclaredForms, SwappedForms } from "./ProductForms.tsx";
 
 export function askedOfChain(state: PageState): Request {
   const { matrix, euler } = state;
@@ -126,9 +127,8 @@ interface Multiplied {
 }
 
 function Product({ store, report, factors, inReverse }: Multiplied) {
-  const { digits, unit } = store.state.value;
-  const { turn, euler, mean } = report;
-  const angle = (radians: number) => shownAngle(fromRadians(radians), digits, unit);
+  const { digits } = store.state.value;
+  const { mean } = report;
   return (
     <>
       <div class="asked-columns">
@@ -137,22 +137,7 @@ function Product({ store, report, factors, inReverse }: Multiplied) {
         ))}
       </div>
       <div>
-        <ArrayRow
-          name={words.rotationVector}
-          symbol={words.rotationVector}
-          numbers={turn.rotationVectorRad}
-          digits={digits}
-          note={turn.axis && words.turn(angle(turn.angleRad), shownAxis(turn.axis, digits))}
-          value={{ kind: "rotation-vector", vectorRad: turn.rotationVectorRad }}
-        />
-        <ArrayRow
-          name={words.euler(sequenceName(euler.sequence))}
-          symbol={words.euler(sequenceName(euler.sequence))}
-          numbers={unit === "degrees" ? euler.anglesDeg : euler.anglesRad}
-          digits={digits}
-          note={unit}
-          value={eulerValue(euler)}
-        />
+        <TurnRows store={store} report={report} />
         {mean ? (
           <ArrayRow name={words.mean} symbol={words.mean} numbers={mean.array} digits={digits} />
         ) : (

@@ -20,6 +20,8 @@ import "../parts/result.css";
 import "./compose.css";
 
 const loadBetween = () => import("./Between.tsx").then(({ Between }) => Between);
+const loadForms = () => import("./Chain.tsx").then(({ DeclaredForms }) => DeclaredForms);
+const loadSwapped = () => import("./Chain.tsx").then(({ SwappedForms }) => SwappedForms);
 const loadChain = () => import("./Chain.tsx").then(({ Chain }) => Chain);
 
 export { spokenProduct } from "./spoken.ts";
@@ -109,6 +111,12 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
             {isPreset && carryLinks}
           </Pair>
         )}
+        <AskedFold
+          store={store}
+          name="forms"
+          summary={words.forms(headline?.tied.map(spelled).join(" = ") ?? spelled(declared))}
+          load={loadForms}
+        />
       </div>
       <Road report={report} engine={store.engine} digits={digits} unit={unit} />
       <Picture store={store} of="compose" />
@@ -116,6 +124,12 @@ function Result({ report, store }: { report: ComposeReport; store: Store }) {
         <details key={key} class="fold">
           <summary>{words.otherOrder(tied.map(spelled).join(" = "))}</summary>
           <Pair tied={tied} tie={words.tie} {...shownAs} />
+          <AskedFold
+            store={store}
+            name="other-forms"
+            summary={words.forms(tied.map(spelled).join(" = "))}
+            load={loadSwapped}
+          />
         </details>
       ))}
       <AskedFold store={store} name="between" summary={words.between} load={loadBetween} />

@@ -1,4 +1,5 @@
-// The words of a product of many factors.
+// The words of a product of many factors, and of the forms of one of two.
+import type { Preset } from "../../model/page_state.ts";
 
 export const title = "More than two";
 export const factor = (place: number) => `factor ${place}`;
@@ -19,3 +20,10 @@ export const turn = (angle: string, axis: string) => `rad · ${angle} about ${ax
 export const euler = (sequence: string) => `Euler angles ${sequence}`;
 export const mean = "the mean of the factors, as declared";
 export const noMean = "The factors have no mean: several rotations are as near to all of them.";
+
+const signs: Record<Preset, string> = { hamilton: "⊙", jpl: "⊗" };
+type Factors = readonly [string, string];
+export const forms = ([left, right]: Factors) => `${left} ⊙ ${right} in other forms`;
+/** Of a product, the inverse is that of the inverses in reverse. */
+export const inverseOf = ([left, right]: Factors, preset: Preset) =>
+  `(${left} ${signs[preset]} ${right})⁻¹ = ${right}⁻¹ ${signs[preset]} ${left}⁻¹`;

@@ -26,6 +26,8 @@ export const noRotation = "none: 0°";
 export const about = "about";
 export const otherOrder = (products: string) => `The other order: ${products}`;
 
+export const forms = (product: string) =>
+  `${product} as rotation vector and Euler angles, and its inverse`;
 export const between = "Between p and q: how they differ, and the way from one to the other";
 export const chain = "More than two: a product of any factors, inverted or not, and their mean";
 

@@ -72,6 +72,10 @@ mod record;
 #[cfg(feature = "whole")]
 mod record_choices;
 
+// What a rotation in a block is likely to be.
+#[cfg(feature = "whole")]
+mod record_kind;
+
 // The numbers of records that have no quaternion.
 mod record_numbers;
 
@@ -85,6 +89,9 @@ pub(crate) mod swing_twist;
 
 /// From one end of a translation to the other.
 pub mod translate;
+
+// What comes of a translation of which a step is left out.
+mod translate_mistakes;
 
 // What a text says apart from its numbers.
 #[cfg(feature = "whole")]

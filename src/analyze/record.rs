@@ -2,6 +2,7 @@
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::record_choices::{other_order, several_rotations, several_rows};
+use crate::analyze::record_kind::{is_another_quantity, is_assumed, is_identity, is_of_format};
 use crate::analyze::record_told::{SAME_WITHIN_DEG, descriptions, found_in_text, loose_angles};
 use crate::character::is_alphabetic;
 use crate::contract::{Fact, Form, FormatAssumed, RotationAssumed};
@@ -12,9 +13,8 @@ use crate::problem::{ProblemCode, Span, Wanted, shorten};
 use crate::text::{
     Comment, DeclaredFormat, FORMATS, PLAIN, ParsedQuaternion, ParsedRotation, Record,
     RecordRotation, RotationText, RowMarks, Told, comments_of, is_for_rows, made_by_code,
-    made_by_remark, other_than_rotation, record_of, says_nothing,
+    made_by_remark, record_of,
 };
-use nalgebra::Matrix3;
 
 /// The attitude that is found in a text, or why it is not known which; `None` where none is found, or where
 /// what the text is read as by itself, `plain`, stands.
@@ -322,30 +322,6 @@ fn others<'r>(read: &[Read<'r>], chosen: &Attitude) -> Vec<(&'r RecordRotation, 
     others
 }
 
-/// No turn, which stands for what was never set.
-fn is_identity(found: &RecordRotation) -> bool {
-    match &found.rotation {
-        ParsedRotation::Quaternion(parsed) => parsed.quaternion.imag().amax() == 0.0,
-        ParsedRotation::Matrix(matrix) => *matrix == Matrix3::identity(),
-        _ => false,
-    }
-}
-
-/// Whether a format says what the rotation is that is declared, or is known by its words.
-fn is_of_format(found: &RecordRotation, declared: Declared) -> bool {
-    found.format.is_some_and(|format| {
-        let is_declared = declared
-            .library
-            .is_some_and(|library| library.id == format.id);
-        is_declared || format.has_marks()
-    })
-}
-
-/// Whether the label of numbers that may be anything names something else.
-fn is_another_quantity(found: &RecordRotation) -> bool {
-    may_be_anything(found) && other_than_rotation(&found.label).is_some()
-}
-
 /// The rotation as the declaration has it: what a library prints for row vectors was read with the
 /// translation in its last row, so it is as it was printed again; one of which a comment says that it multiplies
 /// rows is the transpose.
@@ -377,23 +353,6 @@ fn has_mark_before(text: &str, numbers: Span) -> bool {
 
 /// How much of a label a note repeats, in characters.
 const LONGEST_LABEL: usize = 40;
-
-/// Whether only the count of the numbers, or that they are upright, makes a rotation of them: the label
-/// says nothing, and no format is marked.
-fn is_assumed(found: &RecordRotation) -> bool {
-    may_be_anything(found) && !found.label.is_empty() && says_nothing(&found.label)
-}
-
-/// Whether neither a format nor the numbers themselves say that they are a rotation.
-fn may_be_anything(found: &RecordRotation) -> bool {
-    let is_any = match &found.rotation {
-        ParsedRotation::Quaternion(parsed) => parsed.order_source == OrderSource::Declared,
-        // A matrix of real numbers that is one is no accident; a permutation may be anything.
-        ParsedRotation::Matrix(matrix) => matrix.iter().all(|entry| entry.fract() == 0.0),
-        _ => false,
-    };
-    is_any && found.format.is_none()
-}
 
 /// Which of several descriptions is read: a quaternion or a matrix before angles, whose sequence may only be
 /// the usual one, and what turns before what does not; the first of those.

@@ -3,13 +3,13 @@
 use crate::analyze::attitude::{Attitude, Declared, DeclaredLibrary};
 use crate::analyze::code_line::{self, Line};
 use crate::analyze::describe::turn;
-use crate::analyze::plain_numbers::{plain, plain4, rows3};
+use crate::analyze::plain_numbers::{plain4, rows3};
 use crate::analyze::record_numbers;
+use crate::analyze::translate_mistakes::{angle_deg, change_between, mistakes, product_order};
 use crate::contract::request::TranslateRequest;
 use crate::contract::{
-    AxesReport, Change, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind,
-    Note, OutOfRange, OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport,
-    TranslatedEnd,
+    AxesReport, Components, Fact, LibraryDescription, MappedAxes, Mistake, MistakeKind, Note,
+    OutOfRange, OutOfRangeNumber, PrintedMatrix, ProductOrder, TranslateReport, TranslatedEnd,
 };
 use crate::convention::Convention;
 use crate::convention::order::ComponentOrder;
@@ -298,91 +298,6 @@ fn construct(template: &str, components: &Components, meaning: &Meaning) -> Stri
             code_line::write_in_order(template, components, meaning.order)
         }
         _ => line,
-    }
-}
-
-fn change_between(from: &Meaning, to: &Meaning) -> Change {
-    let reordered = from.order != to.order;
-    let conjugated = from.numbers().component_sign() != to.numbers().component_sign();
-    match (reordered, conjugated) {
-        (false, false) => Change::Copied,
-        (true, false) => Change::Reordered,
-        (false, true) => Change::Conjugated,
-        (true, true) => Change::ReorderedAndConjugated,
-    }
-}
-
-/// What comes of the numbers when a step is left out, or a conjugation done that is not needed; nothing
-/// where an end has no four numbers.
-fn mistakes(
-    from: &Meaning,
-    to: &Meaning,
-    right: &TaggedQuaternion,
-    rotation: &Rotation,
-) -> Vec<Mistake> {
-    if !(from.has_quaternion() && to.has_quaternion()) {
-        return Vec::new();
-    }
-    let not_reordered = |numbers: &TaggedQuaternion| {
-        // As they stood at the first end, in places that are those of the other order.
-        let array = from.order.array(numbers.to_array());
-        let array = from.order.other().components(array);
-        TaggedQuaternion::from_array(array, numbers.convention)
-    };
-    let passed_on = match to.library.and_then(|library| library.constructor_order) {
-        Some(order) if order != to.order && to.order == from.order => {
-            let array = right.to_array();
-            let wrong = TaggedQuaternion::from_array(
-                array,
-                Convention {
-                    order,
-                    ..right.convention
-                },
-            );
-            Some((MistakeKind::ConstructorOrder, wrong))
-        }
-        _ => None,
-    };
-    // Its own inverse: the mistake that undoes a needed conjugation is the one that adds another.
-    let conjugated = right.conjugate();
-    let mut made = match change_between(from, to) {
-        Change::Copied => vec![(MistakeKind::ConjugatedNeedlessly, conjugated)],
-        Change::Reordered => vec![
-            (MistakeKind::NotReordered, not_reordered(right)),
-            (MistakeKind::ConjugatedNeedlessly, conjugated),
-        ],
-        Change::Conjugated => vec![(MistakeKind::NotConjugated, conjugated)],
-        Change::ReorderedAndConjugated => vec![
-            (MistakeKind::Copied, not_reordered(&conjugated)),
-            (MistakeKind::NotConjugated, conjugated),
-            (MistakeKind::NotReordered, not_reordered(right)),
-        ],
-    };
-    made.extend(passed_on);
-    let mut mistakes = Vec::new();
-    for (kind, wrong) in made {
-        if let Ok(wrong) = Rotation::from_tagged(&wrong) {
-            let angle_deg = angle_deg(rotation, &wrong);
-            mistakes.push(Mistake { kind, angle_deg });
-        }
-    }
-    mistakes
-}
-
-fn angle_deg(right: &Rotation, wrong: &Rotation) -> f64 {
-    plain(right.angle_to_rad(wrong).to_degrees())
-}
-
-/// A conjugation turns a product round, and so does the other hand; both together do not.
-fn product_order(from: &Meaning, to: &Meaning) -> ProductOrder {
-    let (Some(one), Some(other)) = (from.handedness, to.handedness) else {
-        return ProductOrder::NotEstablished;
-    };
-    let sign = |meaning: &Meaning| meaning.numbers().component_sign();
-    if (one == other) == (sign(from) == sign(to)) {
-        ProductOrder::Same
-    } else {
-        ProductOrder::Reversed
     }
 }
 

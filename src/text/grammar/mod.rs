@@ -149,7 +149,7 @@ fn sum<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
         if let Some(second) = next.filter(is_sign)
             && touches_next
         {
-            check_repeated(RepeatedSign::of(&[sign, second]), &addend_value)?;
+            RepeatedSign::of(&[sign, second]).map_or(Ok(()), |signs| signs.check(&addend_value))?;
         }
         if separates && input.state.doubtful_sign.is_none() {
             input.state.doubtful_sign = match (is_apart, touches_next) {
@@ -173,16 +173,9 @@ fn product<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
     let outer = input.state.repeated_sign.take();
     let product = factors(input)?;
     if let Some(signs) = std::mem::replace(&mut input.state.repeated_sign, outer) {
-        check_repeated(Some(signs), &product.operand()?)?;
+        signs.check(&product.operand()?)?;
     }
     Ok(product)
-}
-
-fn check_repeated(signs: Option<RepeatedSign>, value: &Linear) -> Result<(), Fault> {
-    match signs {
-        Some(signs) => signs.check(value),
-        None => Ok(()),
-    }
 }
 
 fn factors<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
@@ -212,7 +205,7 @@ fn factors<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
                 let span = left.span.to(next.span);
                 (left.operand()?.angle(unit, span)?, span)
             }
-            _ if multiplies_by_standing_beside(&left, &next) => {
+            _ if left.is_multiplied_by(&next) => {
                 let right = atom(input)?;
                 let span = left.span.to(right.span);
                 (left.operand()?.times(right.operand()?, span)?, span)
@@ -222,23 +215,6 @@ fn factors<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
         left = computed(value, span);
     }
     Ok(left)
-}
-
-/// `0.38k`, `2pi`, `2√3`: no space between. `sin(pi/8) k`, `k sin(pi/8)`: a unit may stand apart.
-fn multiplies_by_standing_beside(left: &Node<'_>, next: &Token<'_>) -> bool {
-    let NodeKind::Value(value) = left.kind else {
-        return false;
-    };
-    let is_adjacent = next.spacing.is_adjacent();
-    match next.kind {
-        TokenKind::Word => {
-            is_adjacent
-                || Linear::unit(next.text).is_some()
-                || (value.units.is_some() && Linear::is_known(next.text))
-        }
-        TokenKind::Root => is_adjacent || value.units.is_some(),
-        _ => false,
-    }
 }
 
 /// Signs and then an atom; a loop, so that a million signs need no stack.
@@ -288,24 +264,7 @@ fn atom<'t>(input: &mut Input<'_, 't>) -> Result<Node<'t>, Fault> {
         TokenKind::Root => root(input, token),
         TokenKind::Open(bracket) => {
             let (entries, span) = bracketed(input, token, bracket)?;
-            Ok(match <[Entry<'t>; 1]>::try_from(entries) {
-                // One member alone: brackets that only group.
-                Ok(
-                    [
-                        Entry {
-                            key: None, node, ..
-                        },
-                    ],
-                ) => Node { span, ..node },
-                Ok(one) => Node {
-                    kind: NodeKind::List(one.into()),
-                    span,
-                },
-                Err(entries) => Node {
-                    kind: NodeKind::List(entries),
-                    span,
-                },
-            })
+            Ok(Node::of_brackets(entries, span))
         }
         TokenKind::Close(_) => match input.state.depth {
             0 => Err(Fault::unmatched_bracket(token.span, token.text, None)),

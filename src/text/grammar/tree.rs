@@ -3,6 +3,7 @@
 use crate::problem::Span;
 use crate::problem::fault::Fault;
 use crate::text::grammar::arithmetic::{Linear, Quantity};
+use crate::text::grammar::lex::{Token, TokenKind};
 use crate::text::grammar::signs::DoubtfulSign;
 
 /// A piece of text that was understood.
@@ -45,6 +46,49 @@ impl CallsAreRead {
     #[cfg(not(feature = "whole"))]
     pub(crate) const fn here() -> Option<Self> {
         None
+    }
+}
+
+impl<'t> Node<'t> {
+    /// What stands between brackets: a list, or what they only group.
+    pub(crate) fn of_brackets(entries: Vec<Entry<'t>>, span: Span) -> Self {
+        match <[Entry<'t>; 1]>::try_from(entries) {
+            // One member alone: brackets that only group.
+            Ok(
+                [
+                    Entry {
+                        key: None, node, ..
+                    },
+                ],
+            ) => Node { span, ..node },
+            Ok(one) => Node {
+                kind: NodeKind::List(one.into()),
+                span,
+            },
+            Err(entries) => Node {
+                kind: NodeKind::List(entries),
+                span,
+            },
+        }
+    }
+
+    /// Whether what comes next is a factor that only stands beside it.
+    ///
+    /// `0.38k`, `2pi`, `2√3`: no space between. `sin(pi/8) k`, `k sin(pi/8)`: a unit may stand apart.
+    pub(crate) fn is_multiplied_by(&self, next: &Token<'_>) -> bool {
+        let NodeKind::Value(value) = self.kind else {
+            return false;
+        };
+        let is_adjacent = next.spacing.is_adjacent();
+        match next.kind {
+            TokenKind::Word => {
+                is_adjacent
+                    || Linear::unit(next.text).is_some()
+                    || (value.units.is_some() && Linear::is_known(next.text))
+            }
+            TokenKind::Root => is_adjacent || value.units.is_some(),
+            _ => false,
+        }
     }
 }
 

@@ -22,6 +22,7 @@ const texts = {
   libraryName: "name",
   numbers: "numbers",
   beside: "beside",
+  matrices: "matrices",
   open: "open",
   part: "part",
   within: "within",

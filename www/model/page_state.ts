@@ -67,6 +67,8 @@ export interface PageState {
   numbers: string;
   /** The attitude beside them. */
   beside: string;
+  /** What a library of matrices printed, as Identify writes it; empty for its example. */
+  matrices: string;
   /** The folds that are open of those that ask the whole core, with commas between them. */
   open: string;
   /** The part of the way from p to q. */
@@ -131,6 +133,7 @@ export const opening: PageState = {
   unavailable: [],
   numbers: "",
   beside: "",
+  matrices: "",
   open: "",
   part: "0.5",
   within: "",

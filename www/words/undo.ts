@@ -20,6 +20,7 @@ const partNames: Partial<Record<keyof PageState, string>> = {
   libraryName: "library name",
   language: "language",
   unavailable: "probes left out",
+  matrices: "matrices",
   within: "time",
   rate: "rate",
   rateEnd: "rate",

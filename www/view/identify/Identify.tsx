@@ -7,6 +7,7 @@ import type { Store } from "../../state/store.ts";
 import { left } from "../../words/identify/answer.tsx";
 import * as words from "../../words/identify/identify.tsx";
 import { familyWords, languageNames } from "../../words/library_behaviour.ts";
+import { AskedFold } from "../parts/AskedFold.tsx";
 import { AnswerCard, answerId } from "./Answer.tsx";
 import { codeLanguages } from "./choices.ts";
 import { keptAnswer } from "./kept_answer.ts";
@@ -19,6 +20,8 @@ import "../parts/ask.css";
 import "../parts/examples.css";
 import "../parts/result.css";
 import "./identify.css";
+
+const loadMatrices = () => import("./Matrices.tsx").then(({ Matrices }) => Matrices);
 
 export { askedOfIdentify } from "./asked.ts";
 
@@ -33,6 +36,7 @@ export function Identify({ store }: { store: Store }) {
     <>
       <Ask store={store} />
       <NumbersFold store={store} />
+      <AskedFold store={store} name="matrices" summary={words.matrices} load={loadMatrices} />
       <div class="identify">
         <Sheet store={store} answer={answer} isExample={isExample(store.state.value)} />
         <AnswerCard store={store} answer={answer} />

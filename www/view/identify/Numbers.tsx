@@ -101,7 +101,8 @@ function Numbers({ store }: { store: Store }) {
   );
 }
 
-function Text({
+/** A field under its name, with the place of what is wrong with it. */
+export function Text({
   label,
   text,
   problem,

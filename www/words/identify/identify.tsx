@@ -22,6 +22,8 @@ export const exampleNames = {
   contradiction: "A contradiction",
 };
 
+export const matrices = "Which convention does a library of matrices use?";
+
 export const seeAnswer = "See the answer";
 
 /** Where the library has no name yet. */

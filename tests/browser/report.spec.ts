@@ -12,6 +12,10 @@ import {
   textsOf,
 } from "./support/page.ts";
 
+const printed: { handedness: string; order: string; left: string; right: string }[] = JSON.parse(
+  readFileSync(new URL("../cases/product_matrices.json", import.meta.url), "utf8"),
+);
+
 initSync({ module: readFileSync(new URL("../../pkg/quatlas_bg.wasm", import.meta.url)) });
 
 test("the product matrices are those of the four numbers as typed", async ({ page }) => {
@@ -27,6 +31,36 @@ test("the product matrices are those of the four numbers as typed", async ({ pag
   await page.getByRole("textbox", { name: "quaternion q" }).fill("1 0 0 0");
   await expect(products).toContainText("on [w, x, y, z]");
   await expect(products).not.toContainText("with its norm");
+});
+
+test("all eight product matrices of the field guide can be read off the page", async ({ page }) => {
+  const quaternion: Record<string, number> = { w: 1, x: 2, y: 3, z: 4 };
+  const numbersIn = (names: string) =>
+    names.split(/ +/).map((name) => {
+      const size = quaternion[name.replace("-", "")] ?? Number.NaN;
+      return name.startsWith("-") ? -size : size;
+    });
+  const expectPrinted = async (name: string, handedness: string, order: string) => {
+    const { left, right } = printed.find(
+      (one) => one.handedness === handedness && one.order === order,
+    ) ?? { left: "", right: "" };
+    const shown = (side: string) => numbersOf(matrix(page, `${name} ${side} product matrix`));
+    await expect.poll(() => shown("left"), { message: name }).toEqual(numbersIn(left));
+    expect(await shown("right"), name).toEqual(numbersIn(right));
+  };
+  const choose = async (name: string | RegExp) => {
+    await page.getByRole("radio", { name }).first().focus();
+    await page.keyboard.press("Space");
+  };
+  await page.goto("/#read?quaternion=w=1+x=2+y=3+z=4");
+  await openEverything(page);
+  await expectPrinted("Hamilton", "right", "scalar-first");
+  await expectPrinted("JPL", "left", "scalar-last");
+  await choose(/scalar last/);
+  await expectPrinted("Hamilton as Eigen and ROS store it", "right", "scalar-last");
+  await choose(/^JPL/);
+  await choose(/scalar first/);
+  await expectPrinted("Your convention", "left", "scalar-first");
 });
 
 test("both columns say what they multiply, and small turns on the world's axes change sides", async ({

@@ -102,6 +102,21 @@ test("the named conventions of G32 among the 16 rows", () => {
   assert.equal(sameAs[placeOf(JPL)], placeOf(HAMILTON_SCALAR_LAST));
 });
 
+test("all eight product matrices of the field guide", () => {
+  const path = `${root}/tests/cases/product_matrices.json`;
+  const quaternion = { w: 1, x: 2, y: 3, z: 4 };
+  const numbersIn = (letters) =>
+    letters
+      .split(/ +/)
+      .map((letter) => quaternion[letter.replace("-", "")] * (letter.startsWith("-") ? -1 : 1));
+  for (const { handedness, order, left, right } of JSON.parse(readFileSync(path, "utf8"))) {
+    const convention = { ...HAMILTON, handedness, order };
+    const { declared } = read({ quaternion: "w=1 x=2 y=3 z=4", vector: "1 0 0", convention });
+    assert.deepEqual(declared.leftProductMatrix.flat(), numbersIn(left));
+    assert.deepEqual(declared.rightProductMatrix.flat(), numbersIn(right));
+  }
+});
+
 test("the heading and the tilt", () => {
   const request = { quaternion: "yaw 65 pitch 20 roll -35 deg", axis: "z", convention: HAMILTON };
   const { twistDeg, swing } = swingTwist(request);

@@ -1,7 +1,8 @@
 // What the folds hold: what the conventions multiply, the matrix that was chosen beside q, and vectors
 // along the axis.
 import { columnValues, declaredValues } from "../../copy/values.ts";
-import type { ReadReport } from "../../engine.ts";
+import type { Column, ReadReport } from "../../engine.ts";
+import { namesOf } from "../../model/component_order.ts";
 import { operatorOf } from "../../model/conventions.ts";
 import type { Digits, Preset } from "../../model/page_state.ts";
 import { exactArray, shownArray } from "../../number/format.ts";
@@ -14,6 +15,7 @@ import * as factWords from "../../words/read/facts.ts";
 import { asked, type FoldedPart } from "../../words/read/folded.ts";
 import { AskedFold } from "../parts/AskedFold.tsx";
 import { Copy } from "../parts/Copy.tsx";
+import { nameOf, presetItself } from "../parts/convention_names.ts";
 import { editedMatrix } from "../parts/number_group.ts";
 import { MatrixOf, RulesList } from "../parts/RulesList.tsx";
 import { Matrix } from "../parts/Value.tsx";
@@ -53,8 +55,10 @@ export function FoldedBody({ of, ...given }: Given & { of: FoldedPart }) {
 }
 
 function Rules(given: Given) {
-  const { convention, rules } = given.report.declared;
-  const isPreset = given.store.engine.describe(convention).preset !== undefined;
+  const { store } = given;
+  const { declared } = given.report;
+  const { convention, rules } = declared;
+  const isPreset = presetItself(convention, store.engine) !== undefined;
   return (
     <div class="fold-columns">
       {!isPreset && (
@@ -67,6 +71,12 @@ function Rules(given: Given) {
           >
             <li>{rulesWords.components(rules.isCanonical)}</li>
           </RulesList>
+          <ProductMatrices
+            column={declared}
+            name={nameOf(convention, store.engine) ?? declaredWords.yours}
+            order={`[${namesOf[convention.order].join(", ")}]`}
+            {...given}
+          />
         </div>
       )}
       <Products preset="hamilton" {...given} />
@@ -75,12 +85,9 @@ function Rules(given: Given) {
   );
 }
 
-function Products({ report, store, digits, preset }: Given & { preset: Preset }) {
+function Products({ report, preset, ...given }: Given & { preset: Preset }) {
   const column = report[preset];
   const { name, order } = wordsOf[preset];
-  const values = columnValues(column, store.engine.describe);
-  const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
-  const normOf = isUnit ? "unit" : "typed";
   return (
     <div class={preset}>
       <h3>{name}</h3>
@@ -89,32 +96,48 @@ function Products({ report, store, digits, preset }: Given & { preset: Preset })
         rules={column.rules}
         perturbation={column.convention.perturbation}
       />
-      <div class="matrices">
-        <Matrix
-          name={columnWords.leftProductOf(name)}
-          symbol={
-            <>
-              <var>q</var>∘<var>p</var> = <var>L p</var>
-            </>
-          }
-          caption={columnWords.onOrder[normOf](order)}
-          rows={column.leftProductMatrix}
-          value={values.left}
-          digits={digits}
-        />
-        <Matrix
-          name={columnWords.rightProductOf(name)}
-          symbol={
-            <>
-              <var>p</var>∘<var>q</var> = <var>R p</var>
-            </>
-          }
-          caption={columnWords.onOrder[normOf](order)}
-          rows={column.rightProductMatrix}
-          value={values.right}
-          digits={digits}
-        />
-      </div>
+      <ProductMatrices column={column} name={name} order={order} {...given} />
+    </div>
+  );
+}
+
+/** By which a product with q is multiplied out, on arrays in the order of the convention. */
+function ProductMatrices({
+  column,
+  name,
+  order,
+  store,
+  digits,
+}: Omit<Given, "report"> & { column: Column; name: string; order: string }) {
+  const values = columnValues(column, store.engine.describe);
+  const isUnit = column.unit.array.every((number, at) => number === column.quaternion.array[at]);
+  const caption = columnWords.onOrder[isUnit ? "unit" : "typed"](order);
+  return (
+    <div class="matrices">
+      <Matrix
+        name={columnWords.leftProductOf(name)}
+        symbol={
+          <>
+            <var>q</var>∘<var>p</var> = <var>L p</var>
+          </>
+        }
+        caption={caption}
+        rows={column.leftProductMatrix}
+        value={values.left}
+        digits={digits}
+      />
+      <Matrix
+        name={columnWords.rightProductOf(name)}
+        symbol={
+          <>
+            <var>p</var>∘<var>q</var> = <var>R p</var>
+          </>
+        }
+        caption={caption}
+        rows={column.rightProductMatrix}
+        value={values.right}
+        digits={digits}
+      />
     </div>
   );
 }

@@ -12,11 +12,11 @@ import {
   shownAxis,
   shownRoughAngle,
 } from "../../number/format.ts";
+import { BetweenPicture } from "../../picture/BetweenPicture.tsx";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/compose/between.tsx";
 import { wordsOf } from "../../words/conventions.ts";
 import { AskedText, ScalarRow, useAsked } from "../parts/asked.tsx";
-import { useLater } from "../parts/later.ts";
 import { ArrayRow } from "../parts/Value.tsx";
 import "./between.css";
 
@@ -26,12 +26,11 @@ export function askedOfBetween(state: PageState): Request {
   return { view: "between", p, q, convention, matrix, euler, part, duration };
 }
 
-const loadPicture = () =>
-  import("../../picture/BetweenPicture.tsx").then(({ BetweenPicture }) => BetweenPicture);
+/** Of a turn or a rate, by the axes that it is about. */
+const sides = ["local", "global"] as const;
 
 export function Between({ store }: { store: Store }) {
   const { report, problems, old } = useAsked(store, askedOfBetween, "between");
-  const Picture = useLater(loadPicture);
   const { part, within } = store.state.value;
   const problemOf = (name: Field) => problems.find(({ field }) => field === name);
   const isUnread = problemOf("p") ?? problemOf("q");
@@ -48,26 +47,8 @@ export function Between({ store }: { store: Store }) {
           <Differences store={store} report={report} />
         </div>
       )}
-      <div class="asked">
-        <h3>{words.rate}</h3>
-        <div class="between-part">
-          <AskedText
-            label={words.duration}
-            symbol={words.within}
-            text={within}
-            problem={problemOf("duration")}
-            onInput={(within) => store.set({ within }, { as: "within" })}
-          />
-          {within === "" && <p class="asked-lead">{words.rateLead}</p>}
-        </div>
-        {report?.rate && (
-          <div class={old}>
-            <Rate store={store} report={report} rate={report.rate} />
-          </div>
-        )}
-      </div>
       <div class="between-way">
-        <div class="asked">
+        <div class="asked between-slide">
           <h3>{words.way}</h3>
           <div class="between-part">
             <AskedText
@@ -77,25 +58,49 @@ export function Between({ store }: { store: Store }) {
               problem={problemOf("part")}
               onInput={move}
             />
-            <input
-              type="range"
-              min={0}
-              max={1}
-              step={0.01}
-              aria-label={words.part}
-              value={report?.part ?? 0}
-              onInput={({ currentTarget }) => move(currentTarget.value)}
-            />
+            <div class="between-slider">
+              <var>p</var>
+              <input
+                type="range"
+                min={0}
+                max={1}
+                step={0.01}
+                aria-label={words.part}
+                value={report?.part ?? 0}
+                onInput={({ currentTarget }) => move(currentTarget.value)}
+              />
+              <var>q</var>
+            </div>
           </div>
-          {report && (
-            <div class={old}>
+        </div>
+        <div class="between-picture">
+          {report && <BetweenPicture store={store} report={report} />}
+        </div>
+        {report && (
+          <div class={`asked between-rows ${old}`}>
+            <div>
               <Way store={store} report={report} of="way" />
               <Way store={store} report={report} of="halfway" />
             </div>
+          </div>
+        )}
+        <div class="asked between-rate">
+          <h3>{words.rate}</h3>
+          <div class="between-part">
+            <AskedText
+              label={words.duration}
+              symbol={words.within}
+              text={within}
+              problem={problemOf("duration")}
+              onInput={(within) => store.set({ within }, { as: "within" })}
+            />
+            {within === "" && <p class="asked-lead">{words.rateLead}</p>}
+          </div>
+          {report?.rate && (
+            <div class={old}>
+              <Rate store={store} report={report} rate={report.rate} />
+            </div>
           )}
-        </div>
-        <div class="between-picture">
-          {report && typeof Picture !== "string" && <Picture store={store} report={report} />}
         </div>
       </div>
     </section>
@@ -110,13 +115,7 @@ function sentenceOf(store: Store, { verdict, local, p, q }: BetweenReport): stri
 
 function Differences({ store, report }: { store: Store; report: BetweenReport }) {
   const { digits, unit } = store.state.value;
-  const { local, global, pEuler } = report;
-  const about = ({ axis, angleDeg, angleRad }: typeof local) =>
-    axis &&
-    words.turnAbout(
-      shownAngle({ degrees: angleDeg, radians: angleRad }, digits, unit),
-      shownAxis(axis, digits),
-    );
+  const { local, pEuler } = report;
   const angles = report.eulerDifferencesDeg.map((degrees) =>
     unit === "degrees" ? degrees : fromDegrees(degrees).radians,
   );
@@ -125,22 +124,21 @@ function Differences({ store, report }: { store: Store; report: BetweenReport })
     <div class="asked-columns">
       <div>
         <h3>{words.turn}</h3>
-        {(
-          [
-            ["local", local],
-            ["global", global],
-          ] as const
-        ).map(([axes, turn]) => (
-          <ArrayRow
-            key={axes}
-            name={words.turnOn[axes]}
-            symbol={words.turnOn[axes]}
-            numbers={turn.rotationVectorRad}
-            digits={digits}
-            note={about(turn)}
-            value={{ kind: "rotation-vector", vectorRad: turn.rotationVectorRad }}
-          />
-        ))}
+        {sides.map((axes) => {
+          const { axis, angleDeg: degrees, angleRad: radians, rotationVectorRad } = report[axes];
+          const angle = shownAngle({ degrees, radians }, digits, unit);
+          return (
+            <ArrayRow
+              key={axes}
+              name={words.turnOn[axes]}
+              symbol={words.turnOn[axes]}
+              numbers={rotationVectorRad}
+              digits={digits}
+              note={axis && words.turnAbout(angle, shownAxis(axis, digits))}
+              value={{ kind: "rotation-vector", vectorRad: rotationVectorRad }}
+            />
+          );
+        })}
         <h3>{words.error[report.declared.convention.perturbation]}</h3>
         {(["hamilton", "jpl"] as const).map((preset) => {
           const column = report[preset];
@@ -197,19 +195,14 @@ function Rate({ store, report, rate }: { store: Store; report: BetweenReport; ra
   const off = rate.mistakes.find(({ angleDeg }) => angleDeg > 0);
   return (
     <>
-      {(
-        [
-          ["local", rate.bodyRad],
-          ["global", rate.worldRad],
-        ] as const
-      ).map(([axes, numbers]) => {
+      {sides.map((axes) => {
         const { axis } = report[axes];
         return (
           <ArrayRow
             key={axes}
             name={words.rateOn[axes]}
             symbol={words.rateOn[axes]}
-            numbers={numbers}
+            numbers={rate[axes === "local" ? "bodyRad" : "worldRad"]}
             digits={digits}
             note={axis && words.rateAbout(perSecond, shownAxis(axis, digits))}
           />

@@ -140,7 +140,14 @@ const ROOMS: &[(&str, &[&str])] = &[
 ];
 
 /// The crates of JavaScript, and the condition that a build is for it.
-const OF_JAVASCRIPT: [&str; 5] = ["js_sys", "strsim", "target_arch", "tsify", "wasm_bindgen"];
+const OF_JAVASCRIPT: [&str; 6] = [
+    "js_sys",
+    "serde_wasm_bindgen",
+    "strsim",
+    "target_arch",
+    "tsify",
+    "wasm_bindgen",
+];
 
 /// The one mention of JavaScript outside `wasm`: it makes the TypeScript types of what crosses.
 const TYPES: &str = "#[cfg_attr(target_arch = \"wasm32\", derive(tsify::Tsify))]";

@@ -2,10 +2,9 @@
 
 use crate::contract::Problems;
 use crate::problem::{Field, MAX_TEXT_BYTES, Problem};
-use crate::wasm::plain_data::to_js;
 use crate::wasm::refusal::Typed;
 use crate::wasm::request_texts::{Texts, member_of};
-use js_sys::Reflect;
+use js_sys::{Reflect, TypeError};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 #[cfg(feature = "whole")]
@@ -94,7 +93,11 @@ pub(crate) fn frames_of_whole_texts(request: &FramesRequest, texts: &Texts) -> F
 
 /// An [`Outcome`](crate::Outcome) as serde would tag it.
 pub(crate) fn with_status(status: &str, report: &impl Serialize) -> Typed<JsValue> {
-    let outcome = to_js(report);
+    let outcome = to_js(report)?;
     Reflect::set(&outcome, &STATUS.into(), &status.into())?;
     Ok(outcome)
+}
+
+pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, TypeError> {
+    serde_wasm_bindgen::to_value(value).map_err(|error| TypeError::new(&error.to_string()))
 }

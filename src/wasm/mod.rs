@@ -29,9 +29,6 @@ mod members;
 #[cfg(feature = "whole")]
 mod motion_request;
 
-// Reports as plain objects of JavaScript.
-mod plain_data;
-
 // What is thrown at a caller.
 mod refusal;
 
@@ -47,13 +44,12 @@ mod views;
 use crate::analyze::describe::describe_convention as described_convention;
 use crate::convention::Convention;
 use crate::text::parse_number;
-use crate::wasm::answer::STATUS;
+use crate::wasm::answer::{STATUS, to_js};
 use crate::wasm::members::Members;
-use crate::wasm::plain_data::to_js;
 use crate::wasm::refusal::Typed;
 use crate::wasm::request_texts::Texts;
 use crate::wasm::views::answer_of;
-use js_sys::{JsString, Object, Reflect};
+use js_sys::{JsString, Object, Reflect, TypeError};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -120,7 +116,7 @@ pub fn analyze(
 
 /// The named conventions.
 #[wasm_bindgen(unchecked_return_type = "Presets")]
-pub fn presets() -> JsValue {
+pub fn presets() -> Result<JsValue, TypeError> {
     to_js(&Presets {
         hamilton: Convention::HAMILTON,
         jpl: Convention::JPL,
@@ -139,7 +135,7 @@ pub fn describe_convention(
 ) -> Typed<JsValue> {
     let texts = Texts::default();
     let convention = request::convention(&Members::of_request(&convention, &texts)?)?;
-    Ok(to_js(&described_convention(convention)))
+    Ok(to_js(&described_convention(convention))?)
 }
 
 /// The one number that a text holds; undefined where it holds none, or several.
@@ -152,14 +148,14 @@ pub fn read_number(text: &JsString) -> Option<f64> {
 /// What a library does by itself; undefined for an id that no library has.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = describeLibrary, unchecked_return_type = "LibraryDescription | undefined")]
-pub fn describe_library(id: &str) -> JsValue {
-    to_js(&described_library(id))
+pub fn describe_library(id: &str) -> Result<JsValue, TypeError> {
+    described_library(id).map_or(Ok(JsValue::UNDEFINED), |description| to_js(&description))
 }
 
 /// The probes that are proposed, one of each kind.
 #[cfg(feature = "libraries")]
 #[wasm_bindgen(js_name = standardProbes, unchecked_return_type = "Probe[]")]
-pub fn probes() -> JsValue {
+pub fn probes() -> Result<JsValue, TypeError> {
     to_js(&standard_probes())
 }
 

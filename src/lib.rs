@@ -29,8 +29,7 @@
 //! # Reading the code
 //!
 //! Each folder of `src` is a room, and so is each file beside them. They are declared below in the order in
-//! which they are best read, after three small ones that know nothing of the subject (`character`, `decimal`,
-//! `double_double`):
+//! which they are best read, after two small ones that know nothing of the subject (`character`, `decimal`):
 //!
 //! 1. [`convention`](mod@convention): the words, each defined by what it does.
 //! 2. [`problem`]: what is said where a step stops.
@@ -57,9 +56,6 @@ mod character;
 // Doubles to and from decimal text.
 #[cfg_attr(target_arch = "wasm32", path = "wasm/decimal.rs")]
 mod decimal;
-
-// Doubles with what they lack.
-mod double_double;
 
 /// What four numbers mean.
 pub mod convention;

@@ -14,15 +14,11 @@ use std::path::{Path, PathBuf};
 const ROOMS: &[(&str, &[&str])] = &[
     ("character", &[]),
     ("decimal", &[]),
-    ("double_double", &[]),
-    ("convention", &["double_double"]),
+    ("convention", &[]),
     ("problem", &["character", "convention"]),
-    ("rotation", &["double_double", "convention"]),
+    ("rotation", &["convention"]),
     ("motion", &["convention", "rotation"]),
-    (
-        "frames",
-        &["double_double", "convention", "rotation", "problem"],
-    ),
+    ("frames", &["convention", "rotation", "problem"]),
     ("library", &["convention"]),
     ("errata", &["convention", "rotation"]),
     // Planned: many rotations at once, as slices of numbers; no text.

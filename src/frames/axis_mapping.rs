@@ -9,12 +9,12 @@
 //! reflection, which has no quaternion.
 
 use crate::convention::euler_sequence::Axis;
-use crate::double_double::DoubleDouble;
 use crate::rotation::Rotation;
 use crate::rotation::nearest::davenport;
 use nalgebra::{Matrix3, Matrix4, Quaternion};
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use twofloat::TwoFloat;
 
 /// One new axis: an old one, or its opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -221,7 +221,7 @@ impl AxisMapping {
         let rotation = self.matrix() * f64::from(self.determinant());
         // Of a rotation Davenport's matrix is 4 q qᵀ − I; the column with the largest diagonal is never
         // zero (Shepperd's method).
-        let k = davenport(&rotation.map(DoubleDouble::from)).map(|entry| entry.rounded());
+        let k = davenport(&rotation.map(TwoFloat::from)).map(|entry| entry.hi());
         let columns = k + Matrix4::identity();
         let [w, x, y, z] = columns
             .column(columns.diagonal().imax())

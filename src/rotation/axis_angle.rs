@@ -72,11 +72,11 @@ impl Rotation {
     #[doc(alias("exp", "from_scaled_axis"))]
     pub fn from_rotation_vector_rad(vector: [f64; 3]) -> Result<Self, NoRotation> {
         let norm = Norm::of(&vector);
-        let half_angle = norm.fraction * precise::times_power_of_two(0.5, norm.exponent).into();
-        if !half_angle.rounded().is_finite() {
+        let half_angle = norm.fraction * precise::times_power_of_two(0.5, norm.exponent);
+        if !half_angle.hi().is_finite() {
             return Err(NoRotation);
         }
-        if half_angle.rounded() < SINC_IS_ONE_BELOW {
+        if half_angle.hi() < SINC_IS_ONE_BELOW {
             // [1, v/2] times 2, which a subnormal v survives.
             return Ok(Self::from_canonical(&Quaternion::from_parts(
                 2.0,
@@ -84,8 +84,8 @@ impl Rotation {
             )));
         }
         // The sine and cosine of a sum; the second term is up to 1/16 where the length is 1e15.
-        let (sine, cosine) = libm::sincos(half_angle.rounded());
-        let (sine_rest, cosine_rest) = libm::sincos(half_angle.rest());
+        let (sine, cosine) = libm::sincos(half_angle.hi());
+        let (sine_rest, cosine_rest) = libm::sincos(half_angle.lo());
         let direction = Vector3::from(vector).map(|number| norm.divide(number));
         Ok(Self::from_canonical(&Quaternion::from_parts(
             cosine * cosine_rest - sine * sine_rest,

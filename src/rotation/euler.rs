@@ -2,12 +2,12 @@
 
 use crate::convention::angle::{AngleUnit, half_angle_sincos};
 use crate::convention::euler_sequence::{Axis, EulerAxes, EulerFrame, EulerSequence};
-use crate::double_double::DoubleDouble;
 use crate::rotation::precise::Norm;
 use crate::rotation::{NoRotation, Rotation};
 use nalgebra::Quaternion;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
+use twofloat::TwoFloat;
 
 /// Nearer to gimbal lock than this, in radians, half of the digits of the outer angles depend on the
 /// last digits of the input (√u, with u = 2^-53), so they are told as locked.
@@ -251,9 +251,8 @@ impl Extrinsic {
             2.0 * libm::atan2(difference_size, sum_size)
         } else {
             // sin(a₂) and cos(a₂) times |q|²; the tangent of the half would lose a small angle.
-            let sine = DoubleDouble::product(q.w, part(j))
-                - DoubleDouble::product(part(k), sign * part(i));
-            libm::atan2(2.0 * sine.rounded(), sum_size * difference_size)
+            let sine = TwoFloat::new_mul(q.w, part(j)) - TwoFloat::new_mul(part(k), sign * part(i));
+            libm::atan2(2.0 * sine.hi(), sum_size * difference_size)
         };
         Self {
             sum,

@@ -1,11 +1,11 @@
 //! Attitudes between attitudes: along the shortest way between two, and in the middle of many.
 
-use crate::double_double::DoubleDouble;
 use crate::rotation::Rotation;
 use crate::rotation::nearest;
 use crate::rotation::precise::Norm;
 use nalgebra::{Matrix3, Quaternion};
 use std::fmt;
+use twofloat::TwoFloat;
 
 /// Below this half angle θ, `sin(tθ)/sin(θ)` is t to the last digit, since `θ²/6 < 2^-54`.
 const WEIGHTS_ARE_LINEAR_BELOW: f64 = 1e-8;
@@ -81,7 +81,7 @@ impl Rotation {
             to_other = -to_other;
         }
         let (a, b) = (self.precise_unit(), other.precise_unit());
-        let sum = [0, 1, 2, 3].map(|place| a[place] * to_self.into() + b[place] * to_other.into());
+        let sum = [0, 1, 2, 3].map(|place| a[place] * to_self + b[place] * to_other);
         Ok(Self::from_precise(sum))
     }
 
@@ -128,7 +128,7 @@ impl Rotation {
     }
 
     /// The canonical quaternion with norm 1 and 106 bits, `[w, x, y, z]`.
-    fn precise_unit(&self) -> [DoubleDouble; 4] {
+    fn precise_unit(&self) -> [TwoFloat; 4] {
         let q = self.canonical();
         let norm = Norm::of(q.coords.as_slice());
         [q.w, q.i, q.j, q.k].map(|number| norm.divide_precisely(number))

@@ -5,10 +5,10 @@
 //! coordinates of the frame it leads to.
 
 use crate::convention::Direction;
-use crate::double_double::DoubleDouble;
 use crate::rotation::Rotation;
 use crate::rotation::precise;
 use nalgebra::{Matrix3, Vector3};
+use twofloat::TwoFloat;
 
 impl Rotation {
     /// The matrix `R_WB`, which is `R(q)` of the canonical quaternion: body coordinates to world
@@ -33,7 +33,7 @@ impl Rotation {
     #[must_use]
     #[doc(alias("R(q)", "direction cosine matrix", "DCM"))]
     pub fn body_to_world_matrix(&self) -> Matrix3<f64> {
-        self.precise_matrix().map(|entry| entry.rounded())
+        self.precise_matrix().map(|entry| entry.hi())
     }
 
     /// The matrix `R_BW`, which is `C(q)` of the canonical quaternion: world coordinates to body
@@ -72,13 +72,13 @@ impl Rotation {
     /// The vector's coordinates after the passive matrix with this direction.
     pub(crate) fn rotate(&self, vector: Vector3<f64>, direction: Direction) -> Vector3<f64> {
         let exponent = precise::binary_exponent(vector.as_slice());
-        let scaled = |number| DoubleDouble::from(precise::times_power_of_two(number, -exponent));
+        let scaled = |number| TwoFloat::from(precise::times_power_of_two(number, -exponent));
         let matrix = match direction {
             Direction::BodyToWorld => self.precise_matrix(),
             Direction::WorldToBody => self.precise_matrix().transpose(),
         };
         precise::product(&matrix, vector.map(scaled))
-            .map(|number| precise::times_power_of_two(number.rounded(), exponent))
+            .map(|number| precise::times_power_of_two(number.hi(), exponent))
     }
 
     /// The same as [`Rotation::rotate`]; `None` where a double cannot hold it.
@@ -92,26 +92,25 @@ impl Rotation {
         is_finite.then_some(turned)
     }
 
-    fn precise_matrix(&self) -> Matrix3<DoubleDouble> {
+    fn precise_matrix(&self) -> Matrix3<TwoFloat> {
         let q = self.canonical();
         let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-        let times = DoubleDouble::product;
+        let times = TwoFloat::new_mul;
         let (ww, xx, yy, zz) = (times(w, w), times(x, x), times(y, y), times(z, z));
         let (xy, xz, yz) = (times(x, y), times(x, z), times(y, z));
         let (wx, wy, wz) = (times(w, x), times(w, y), times(w, z));
-        let two = DoubleDouble::from(2.0);
         let norm_squared = (ww + xx) + (yy + zz);
         Matrix3::new(
             (ww + xx) - (yy + zz),
-            (xy - wz) * two,
-            (xz + wy) * two,
-            (xy + wz) * two,
+            (xy - wz) * 2.0,
+            (xz + wy) * 2.0,
+            (xy + wz) * 2.0,
             (ww + yy) - (xx + zz),
-            (yz - wx) * two,
-            (xz - wy) * two,
-            (yz + wx) * two,
+            (yz - wx) * 2.0,
+            (xz - wy) * 2.0,
+            (yz + wx) * 2.0,
             (ww + zz) - (xx + yy),
         )
-        .map(|numerator| numerator.divided_by(norm_squared))
+        .map(|numerator| precise::quotient(numerator, norm_squared))
     }
 }

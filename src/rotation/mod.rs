@@ -37,11 +37,11 @@ pub mod swing_twist;
 pub mod tagged_matrix;
 
 use crate::convention::Convention;
-use crate::double_double::DoubleDouble;
 use crate::rotation::quaternion::TaggedQuaternion;
 use nalgebra::{Quaternion, UnitQuaternion};
 use std::fmt;
 use std::ops::Mul;
+use twofloat::TwoFloat;
 
 /// These numbers are not a rotation: they are all zero, or not all finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -177,7 +177,7 @@ impl Rotation {
     /// power of two, so that no other rounding follows.
     ///
     /// Zero, which no two rotations make, is taken for the identity.
-    pub(crate) fn from_precise(components: [DoubleDouble; 4]) -> Self {
+    pub(crate) fn from_precise(components: [TwoFloat; 4]) -> Self {
         match precise::rounded_direction(components) {
             Some(body_to_world) => Self { body_to_world },
             None => Self::identity(),

@@ -6,11 +6,11 @@
 //! of 106 bits give all of them. nalgebra's `UnitQuaternion::from_matrix` iterates from the
 //! identity: for some half turns it stays there, and for entries of 1e100 it never ends.
 
-use crate::double_double::DoubleDouble;
 use crate::rotation::Rotation;
 use crate::rotation::precise;
 use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::fmt;
+use twofloat::TwoFloat;
 
 /// A rotation and how far the matrix is from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,7 +81,7 @@ impl NearestRotation {
 /// The rotation nearest to a finite matrix; `None` where no one is nearer than all others.
 pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
     let scale = precise::working_scale(matrix.as_slice());
-    let working_size = |entry| DoubleDouble::from(precise::times_power_of_two(entry, scale));
+    let working_size = |entry| TwoFloat::from(precise::times_power_of_two(entry, scale));
     let k = davenport(&matrix.map(working_size));
     let dominant = Dominant::of(&k);
     if dominant.gap < SMALLEST_GAP {
@@ -98,7 +98,7 @@ fn unit_size(matrix: &Matrix3<f64>) -> Matrix3<f64> {
 }
 
 /// Davenport's matrix on `[w, x, y, z]`.
-pub(crate) fn davenport(m: &Matrix3<DoubleDouble>) -> Matrix4<DoubleDouble> {
+pub(crate) fn davenport(m: &Matrix3<TwoFloat>) -> Matrix4<TwoFloat> {
     let at = |row: usize, column: usize| m[(row, column)];
     let (a, b, c) = (at(0, 0), at(1, 1), at(2, 2));
     let (wx, wy, wz) = (
@@ -142,10 +142,10 @@ struct Dominant {
 }
 
 impl Dominant {
-    fn of(k: &Matrix4<DoubleDouble>) -> Self {
+    fn of(k: &Matrix4<TwoFloat>) -> Self {
         // At a size whose squares and cubes are far from overflow.
         let eigen = k
-            .map(|entry| precise::from_working_size(entry.rounded()))
+            .map(|entry| precise::from_working_size(entry.hi()))
             .symmetric_eigen();
         let first = eigen.eigenvalues.imax();
         let second = (0..4)
@@ -172,38 +172,29 @@ impl Dominant {
 /// With that component held at `s`, the other three and the eigenvalue are `K q = λ q`: of
 /// `K = [[k, bᵀ], [b, A]]` and `q = [s, y]` these are `λ = k + b·y/s` and `b s + A y = λ y`. A small
 /// `y` has a small `b`, so no digit of it is lost against 1.
-fn eigenvector(
-    k: &Matrix4<DoubleDouble>,
-    pivot: usize,
-    eigenvalue: f64,
-) -> Option<[DoubleDouble; 4]> {
+fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[TwoFloat; 4]> {
     let others: Vec<usize> = (0..4).filter(|&place| place != pivot).collect();
     let b = Vector3::from_fn(|row, _| k[(others[row], pivot)]);
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
     let s = precise::working_size(1.0);
 
-    let in_doubles = |number: DoubleDouble| number.rounded();
+    let in_doubles = |number: TwoFloat| number.hi();
     let a_minus = |eigenvalue| a.map(in_doubles) - Matrix3::from_diagonal_element(eigenvalue);
     let start = a_minus(eigenvalue).lu().solve(&b.map(in_doubles))? * -s;
-    let mut y = start.map(DoubleDouble::from);
+    let mut y = start.map(TwoFloat::from);
     for _ in 0..NEWTON_STEPS {
-        let eigenvalue = k[(pivot, pivot)] + dot(&b, &y) * (1.0 / s).into();
-        let residual = b * DoubleDouble::from(s) + precise::product(&a, y) - y * eigenvalue;
+        let eigenvalue = k[(pivot, pivot)] + b.dot(&y) * (1.0 / s);
+        let residual = b * TwoFloat::from(s) + precise::product(&a, y) - y * eigenvalue;
         let jacobian =
-            a_minus(eigenvalue.rounded()) - y.map(in_doubles) * b.map(in_doubles).transpose() / s;
+            a_minus(eigenvalue.hi()) - y.map(in_doubles) * b.map(in_doubles).transpose() / s;
         y -= jacobian
             .lu()
             .solve(&residual.map(in_doubles))?
-            .map(DoubleDouble::from);
+            .map(TwoFloat::from);
     }
-    let mut components = [DoubleDouble::from(s); 4];
+    let mut components = [TwoFloat::from(s); 4];
     for (place, &number) in others.into_iter().zip(y.iter()) {
         components[place] = number;
     }
     Some(components)
-}
-
-/// In the order of nalgebra's, which wants to know what a zero is.
-fn dot(a: &Vector3<DoubleDouble>, b: &Vector3<DoubleDouble>) -> DoubleDouble {
-    a.x * b.x + a.y * b.y + a.z * b.z
 }

@@ -1,11 +1,11 @@
 //! Numbers out of reach of overflow, underflow and rounding: exact scaling by powers of two, and
 //! sums of products with 106 bits that are rounded once.
 //!
-//! The doubled precision is what makes the last digit of a product, a matrix or a norm right; plain doubles
-//! lose two to six units of it.
+//! The doubled precision is `twofloat`'s (Joldes, Muller & Popescu 2017). It is what makes the last
+//! digit of a product, a matrix or a norm right; plain doubles lose two to six units of it.
 
-use crate::double_double::DoubleDouble;
 use nalgebra::{Matrix3, Quaternion, Vector3};
+use twofloat::TwoFloat;
 
 /// Half a unit in the last place of 1: the largest relative error of one rounding.
 pub(crate) const UNIT_ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -52,11 +52,21 @@ pub(crate) fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f
     }
 }
 
+/// The quotient with 106 bits.
+///
+/// The division of `twofloat` 0.8 by a `TwoFloat` has only the 53 bits of a plain one: it rounds a
+/// product that Joldes' algorithm 18 fuses (`one_third_of_a_third` in the tests keeps the case).
+pub(crate) fn quotient(dividend: TwoFloat, divisor: TwoFloat) -> TwoFloat {
+    let first = dividend.hi() / divisor.hi();
+    let rest = dividend - divisor * first;
+    TwoFloat::new_add(first, rest.hi() / divisor.hi())
+}
+
 /// A Euclidean norm, `fraction * 2^exponent`, which may be larger than any double.
 #[derive(Clone, Copy)]
 pub(crate) struct Norm {
     /// 0, or in `[2^399, 2^401]`: the norm of the numbers scaled by `2^-exponent`.
-    pub(crate) fraction: DoubleDouble,
+    pub(crate) fraction: TwoFloat,
     pub(crate) exponent: i32,
 }
 
@@ -66,8 +76,8 @@ impl Norm {
         let sum_of_squares = numbers
             .iter()
             .map(|&number| times_power_of_two(number, scale))
-            .map(|number| DoubleDouble::product(number, number))
-            .fold(DoubleDouble::from(0.0), |sum, square| sum + square);
+            .map(|number| TwoFloat::new_mul(number, number))
+            .fold(TwoFloat::from(0.0), |sum, square| sum + square);
         Self {
             fraction: sum_of_squares.sqrt(),
             exponent: -scale,
@@ -75,12 +85,12 @@ impl Norm {
     }
 
     pub(crate) fn is_zero(self) -> bool {
-        self.fraction.rounded() == 0.0
+        self.fraction.hi() == 0.0
     }
 
     /// As a double; infinite where it is larger than any.
     pub(crate) fn value(self) -> f64 {
-        times_power_of_two(self.fraction.rounded(), self.exponent)
+        times_power_of_two(self.fraction.hi(), self.exponent)
     }
 
     /// The exponent `e` of the power of two `2^e` that the norm is but for a rounding of the
@@ -89,26 +99,26 @@ impl Norm {
     /// Rounding each component of a quaternion of norm 1 to a double changes the norm by at most
     /// one roundoff.
     pub(crate) fn rounded_power_of_two(self) -> Option<i32> {
-        let (fraction, exponent) = libm::frexp(self.fraction.rounded());
+        let (fraction, exponent) = libm::frexp(self.fraction.hi());
         let nearest = if fraction > 0.75 {
             exponent
         } else {
             exponent - 1
         };
         let power = times_power_of_two(1.0, nearest);
-        let deviation = (self.fraction - power.into()).rounded() / power;
-        (deviation.abs() <= UNIT_ROUNDOFF).then_some(nearest + self.exponent)
+        let deviation = (self.fraction - power) / power;
+        (deviation.hi().abs() <= UNIT_ROUNDOFF).then_some(nearest + self.exponent)
     }
 
     /// A number divided by the norm, rounded once.
     pub(crate) fn divide(self, number: f64) -> f64 {
-        self.divide_precisely(number).rounded()
+        self.divide_precisely(number).hi()
     }
 
     /// A number divided by the norm, with 106 bits.
-    pub(crate) fn divide_precisely(self, number: f64) -> DoubleDouble {
+    pub(crate) fn divide_precisely(self, number: f64) -> TwoFloat {
         let scaled = times_power_of_two(number, -self.exponent);
-        DoubleDouble::from(scaled).divided_by(self.fraction)
+        quotient(scaled.into(), self.fraction)
     }
 }
 
@@ -122,11 +132,8 @@ pub(crate) fn direction(vector: &Vector3<f64>) -> Option<Vector3<f64>> {
 ///
 /// Summed in pairs, each of which is small by itself where the factors are conjugate but for a small
 /// difference; so the relative rotation of two near attitudes keeps its digits.
-pub(crate) fn hamilton_product(
-    left: &Quaternion<f64>,
-    right: &Quaternion<f64>,
-) -> [DoubleDouble; 4] {
-    let (l, r, times) = (left, right, DoubleDouble::product);
+pub(crate) fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> [TwoFloat; 4] {
+    let (l, r, times) = (left, right, TwoFloat::new_mul);
     [
         (times(l.w, r.w) - times(l.i, r.i)) - (times(l.j, r.j) + times(l.k, r.k)),
         (times(l.w, r.i) + times(l.i, r.w)) + (times(l.j, r.k) - times(l.k, r.j)),
@@ -138,34 +145,49 @@ pub(crate) fn hamilton_product(
 /// The quaternion of norm `2^399` with the direction of `[w, x, y, z]`, each component rounded once.
 ///
 /// For components of at most the working size, squared. `None` where all are zero.
-pub(crate) fn rounded_direction(components: [DoubleDouble; 4]) -> Option<Quaternion<f64>> {
+pub(crate) fn rounded_direction(components: [TwoFloat; 4]) -> Option<Quaternion<f64>> {
     let exponent = binary_exponent(rounded(components).coords.as_slice());
     let power = times_power_of_two(1.0, WORKING_EXPONENT - exponent);
     let mut scaled = components;
-    let mut sum_of_squares = DoubleDouble::from(0.0);
+    let mut sum_of_squares = TwoFloat::from(0.0);
     for number in &mut scaled {
-        *number *= power.into();
+        *number *= power;
         sum_of_squares += *number * *number;
     }
     let size = times_power_of_two(1.0, WORKING_EXPONENT - 1);
     let norm = sum_of_squares.sqrt();
     for number in &mut scaled {
-        *number = (*number * size.into()).divided_by(norm);
+        *number = quotient(*number * size, norm);
     }
-    (norm.rounded() > 0.0).then(|| rounded(scaled))
+    (norm.hi() > 0.0).then(|| rounded(scaled))
 }
 
 /// The quaternion of four components `[w, x, y, z]`, each rounded once.
-pub(crate) fn rounded([w, x, y, z]: [DoubleDouble; 4]) -> Quaternion<f64> {
-    Quaternion::new(w.rounded(), x.rounded(), y.rounded(), z.rounded())
+pub(crate) fn rounded([w, x, y, z]: [TwoFloat; 4]) -> Quaternion<f64> {
+    Quaternion::new(w.hi(), x.hi(), y.hi(), z.hi())
 }
 
 /// A matrix times a column, in the order of nalgebra's product, which would compare with zero and so bring
 /// libm's table of powers into the wasm.
-pub(crate) fn product(
-    matrix: &Matrix3<DoubleDouble>,
-    column: Vector3<DoubleDouble>,
-) -> Vector3<DoubleDouble> {
+pub(crate) fn product(matrix: &Matrix3<TwoFloat>, column: Vector3<TwoFloat>) -> Vector3<TwoFloat> {
     let [x, y, z] = column.into();
     matrix.column(0) * x + matrix.column(1) * y + matrix.column(2) * z
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Why [`quotient`] is written here: `1 / (1/3)`, the third with all its 106 bits, is 3.
+    #[test]
+    fn one_third_of_a_third() {
+        let third = TwoFloat::new_div(1.0, 3.0);
+        let one = TwoFloat::from(1.0);
+        let error = |quotient: TwoFloat| (quotient - 3.0).hi().abs();
+        assert!(error(quotient(one, third)) < 1e-31);
+        assert!(
+            error(one / third) > 1e-17,
+            "twofloat divides well now: use it"
+        );
+    }
 }

@@ -4,7 +4,7 @@
 //! knows which rotation they stand for.
 
 use crate::convention::{Convention, Handedness};
-use crate::rotation::precise::{self, Norm, UNIT_ROUNDOFF};
+use crate::rotation::precise::{self, Norm, UNIT_ROUNDOFF, quotient};
 use nalgebra::{Matrix4, Quaternion};
 use std::fmt;
 
@@ -175,8 +175,8 @@ impl TaggedQuaternion {
             Some(exponent) => precise::scale(&self.components.conjugate(), -2 * exponent),
             None => Quaternion {
                 coords: self.components.conjugate().coords.map(|number| {
-                    let inverse = norm.divide_precisely(number).divided_by(norm.fraction);
-                    precise::times_power_of_two(inverse.rounded(), -norm.exponent)
+                    let inverse = quotient(norm.divide_precisely(number), norm.fraction);
+                    precise::times_power_of_two(inverse.hi(), -norm.exponent)
                 }),
             },
         };

@@ -43,7 +43,7 @@ function cratesOfTree() {
 test("every crate of the wasm is named, in the package and beside the page", () => {
   const crates = cratesOfTree();
   assert.ok(crates.length > 20, `${crates.length}`);
-  for (const known of ["libm", "winnow", "nalgebra", "serde", "wasm-bindgen"]) {
+  for (const known of ["twofloat", "libm", "winnow", "nalgebra", "serde", "wasm-bindgen"]) {
     assert.ok(
       crates.some((crate) => crate.startsWith(`${known} `)),
       known,
@@ -101,7 +101,8 @@ test("every package and font of the page has its licence text beside it", () => 
 
 test("the conditions are those of the licences: notices, and whole texts", () => {
   for (const text of [ofPackage(), ofPage()].map(plain)) {
-    // Apache-2.0 of nalgebra, MIT of winnow.
+    // BSD-3-Clause of twofloat, Apache-2.0 of nalgebra, MIT of winnow.
+    assert.match(text, /Redistributions in binary form must reproduce/);
     assert.match(text, /Apache License Version 2\.0, January 2004.*END OF TERMS AND CONDITIONS/);
     assert.match(text, /Permission is hereby granted, free of charge/);
     assert.doesNotMatch(text, /undefined|null \(|\[object/);

@@ -54,6 +54,13 @@ pub struct MotionRequest {
     /// of the body where it is left out.
     #[serde(default)]
     pub increment_sign: IncrementSign,
+    /// A covariance of a vector, or of small turns, on the axes on which the increment is: nine numbers row by
+    /// row, or three variances; a number for radians is one for their squares.
+    #[serde(default)]
+    pub covariance: Text,
+    /// A point x fixed in the body, in its coordinates.
+    #[serde(default)]
+    pub point: Text,
 }
 
 impl MotionRequest {
@@ -75,6 +82,8 @@ impl MotionRequest {
             steps: Self::usual_steps(),
             increment: String::new(),
             increment_sign: IncrementSign::default(),
+            covariance: String::new(),
+            point: String::new(),
         }
     }
 
@@ -95,8 +104,40 @@ pub struct MotionReport {
     pub derivative: Option<DerivativeReport>,
     /// Where a rate and a duration were given: the way of the body.
     pub path: Option<PathReport>,
+    /// Where a covariance was given: that on both sets of axes.
+    pub covariance: Option<CovarianceReport>,
+    /// Where a point was given: how its image changes.
+    pub point: Option<PointReport>,
     /// What a careful reader should know about these texts.
     pub notes: Vec<Note>,
+}
+
+/// One covariance on two sets of axes, each row by row: `P_W = R_WB P_B R_WBᵀ`, which is symmetric as `R_WB P_B`
+/// is not.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CovarianceReport {
+    /// On the body's axes.
+    pub body: [[f64; 3]; 3],
+    /// On the world's axes.
+    pub world: [[f64; 3]; 3],
+}
+
+/// How the image of a point x fixed in the body changes with the attitude; a quaternion is of norm 1.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "camelCase")]
+pub struct PointReport {
+    /// `R_WB x`, in coordinates of the world.
+    pub world: [f64; 3],
+    /// `∂(R_WB x)/∂δ = −R_WB [x]×` for a small turn δ of the body on its own axes, row by row (specification,
+    /// FX-06).
+    pub by_body_turn: [[f64; 3]; 3],
+    /// `−[R_WB x]×`, for one on the world's axes.
+    pub by_world_turn: [[f64; 3]; 3],
+    /// `∂(q∘x∘q*)/∂q` of the declared product at the declared quaternion: three rows, with a column for each
+    /// component in the declared order (specification, FX-25).
+    pub by_components: [[f64; 4]; 3],
 }
 
 /// What a factor makes of a quaternion of norm 1, and on which side of it that stands.

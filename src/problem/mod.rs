@@ -97,6 +97,9 @@ pub enum Field {
     /// A small turn.
     #[cfg(feature = "whole")]
     Increment,
+    /// A covariance.
+    #[cfg(feature = "whole")]
+    Covariance,
 }
 
 serialized_by_name!(Field);
@@ -273,6 +276,9 @@ pub enum ProblemCode {
     /// A rate, a small turn or a duration outside of what is answered.
     #[cfg(feature = "whole")]
     OutOfBounds,
+    /// Nine numbers that are no covariance.
+    #[cfg(feature = "whole")]
+    NotACovariance,
 }
 
 serialized_by_name!(ProblemCode);

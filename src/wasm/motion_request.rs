@@ -7,7 +7,7 @@ use crate::wasm::members::Members;
 use crate::wasm::refusal::Typed;
 use crate::wasm::request::{convention, euler, matrix};
 
-pub(crate) const MOTION: [&str; 12] = [
+pub(crate) const MOTION: [&str; 14] = [
     "view",
     "quaternion",
     "convention",
@@ -20,10 +20,19 @@ pub(crate) const MOTION: [&str; 12] = [
     "steps",
     "increment",
     "incrementSign",
+    "covariance",
+    "point",
 ];
 
 /// The texts that may be left out.
-const TEXTS: [&str; 4] = ["rate", "rateEnd", "duration", "increment"];
+const TEXTS: [&str; 6] = [
+    "rate",
+    "rateEnd",
+    "duration",
+    "increment",
+    "covariance",
+    "point",
+];
 
 pub(crate) fn motion_request(request: &Members<'_>) -> Typed<MotionRequest> {
     request.only(&MOTION)?;
@@ -42,11 +51,11 @@ pub(crate) fn motion_request(request: &Members<'_>) -> Typed<MotionRequest> {
     );
     let euler = euler(request)?;
     let quaternion = request.text("quaternion")?;
-    let mut texts: [String; 4] = Default::default();
+    let mut texts: [String; 6] = Default::default();
     for (text, name) in texts.iter_mut().zip(TEXTS) {
         *text = request.text_or_empty(name)?;
     }
-    let [rate, rate_end, duration, increment] = texts;
+    let [rate, rate_end, duration, increment, covariance, point] = texts;
     Ok(MotionRequest {
         quaternion,
         convention,
@@ -59,5 +68,7 @@ pub(crate) fn motion_request(request: &Members<'_>) -> Typed<MotionRequest> {
         steps: steps.unwrap_or(MotionRequest::usual_steps()),
         increment,
         increment_sign,
+        covariance,
+        point,
     })
 }

@@ -167,5 +167,7 @@ pub(crate) const fn member_of(field: Field) -> &'static str {
         Field::Duration => "duration",
         #[cfg(feature = "whole")]
         Field::Increment => "increment",
+        #[cfg(feature = "whole")]
+        Field::Covariance => "covariance",
     }
 }

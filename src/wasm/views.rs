@@ -199,6 +199,8 @@ pub(crate) fn answer_of(request: &JsValue, view: &JsValue) -> Typed<JsValue> {
                 Field::RateEnd => &request.rate_end,
                 Field::Duration => &request.duration,
                 Field::Increment => &request.increment,
+                Field::Covariance => &request.covariance,
+                Field::Point => &request.point,
                 _ => &request.quaternion,
             })
         }

@@ -9,4 +9,5 @@ mod chain;
 mod frames;
 mod golden;
 mod motion;
+mod motion_of_vectors;
 mod swing_twist;

@@ -82,3 +82,39 @@ test("gimbal lock has no rates, and a phone needs no scrolling sideways", async 
   await openEverything(page);
   expect(await sidewaysScroll(page)).toBeLessThanOrEqual(0);
 });
+
+test("a covariance and a point are typed in folds, and the address holds them", async ({
+  page,
+}) => {
+  await page.goto("/#motion?quaternion=90 deg about y");
+  await tabTo(page, page.getByRole("button", { name: "A covariance on the other axes" }));
+  await page.keyboard.press("Enter");
+  const covariance = page.getByRole("region", { name: "covariance" });
+  await expect(covariance.getByRole("table", { name: "P on the world's axes" })).toHaveText(
+    /^0.600000\s*0.300000\s*0.200000\s*0.300000\s*0.900000\s*−0.100000/,
+  );
+  await tabTo(page, covariance.getByRole("textbox"));
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.type("1 2 0, 3 1 0, 0 0 1");
+  await expect(covariance.locator(".problem")).toContainText("not symmetric");
+  // What was told before stays.
+  await expect(covariance.locator(".asked-old")).toContainText("P on the world's axes");
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.type("1 4 9");
+  await expect(covariance.getByRole("table", { name: "P on the world's axes" })).toHaveText(
+    /^9\s*0\s*0\s*0\s*4\s*0\s*0\s*0\s*1$/,
+  );
+  await tabTo(page, page.getByRole("button", { name: "How the image of a point changes" }));
+  await page.keyboard.press("Enter");
+  const point = page.getByRole("region", { name: "point of the body" });
+  // x of the body is −z of the world: [1, 2, 3] is at [3, 2, −1].
+  await expect(point).toContainText("[3, 2, −1]");
+  await expect(
+    point.getByRole("table", { name: "by a small turn on the world's axes" }),
+  ).toHaveText(/^0\s*−1\s*−2\s*1\s*0\s*3\s*2\s*−3\s*0$/);
+  await expect(page).toHaveURL(/covariance=1\+4\+9/);
+  await page.reload();
+  await expect(covariance.getByRole("textbox")).toHaveValue("1 4 9");
+  await expect(point).toContainText("[3, 2, −1]");
+  expect(await violationsOf(page)).toEqual([]);
+});

@@ -10,8 +10,8 @@ const { identifyNumbers, motion, read, swingTwist, translate } = quatlas;
 const url = new URL("../cases/questions.json", import.meta.url);
 const questions = JSON.parse(readFileSync(url, "utf8"));
 
-/** For these nothing of a covariance and of directions is asked yet. */
-const notYet = ["covariance-in-another-frame", "tilt-from-gravity"];
+/** Of directions nothing is asked yet. */
+const notYet = ["tilt-from-gravity"];
 
 const plain = { convention: HAMILTON };
 const vector = "1 0 0";
@@ -201,6 +201,15 @@ const answers = {
   "rate-of-two-attitudes": () => {
     const asked = { p: "1 0 0 0", q: "60deg about x", duration: "0.25 s", ...plain };
     return { rate: between(asked).rate.bodyRad };
+  },
+  "covariance-in-another-frame": () => {
+    const covariance = [
+      [0.4, 0.1, -0.2],
+      [0.1, 0.9, 0.3],
+      [-0.2, 0.3, 0.6],
+    ];
+    const told = motion({ quaternion: "90deg about y", covariance, ...plain });
+    return { covariance: told.covariance.world };
   },
   "small-turn-local-or-global": () => {
     const asked = { quaternion: "40deg about z", increment: "0 0.02 0" };

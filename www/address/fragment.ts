@@ -33,6 +33,8 @@ const texts = {
   rateEnd: "to-rate",
   duration: "in",
   increment: "increment",
+  covariance: "covariance",
+  point: "point",
   motion: "motion",
   find: "find",
   library: "library",

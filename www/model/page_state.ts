@@ -84,6 +84,9 @@ export interface PageState {
   rateEnd: string;
   duration: string;
   increment: string;
+  /** A covariance, and a point of the body, of which Motion is asked beside these. */
+  covariance: string;
+  point: string;
   /** The choices of the Motion view, as it writes them. */
   motion: string;
   /** What is asked of named frames, and the poses between them, as the Frames view writes it. */
@@ -143,6 +146,8 @@ export const opening: PageState = {
   rateEnd: "0.1 0.4 -0.6",
   duration: "6 s",
   increment: "0.02 -0.03 0.05",
+  covariance: "0.4 0.1 -0.2  0.1 0.9 0.3  -0.2 0.3 0.6",
+  point: "1 2 3",
   motion: "",
   frames: "",
   picture: firstPicture,

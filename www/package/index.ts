@@ -377,6 +377,14 @@ export function frames(request: FramesRequest): FramesReport {
  * const { increment } = motion({ quaternion: "1 0 0 0", convention: HAMILTON, increment: "1 0 0 deg" });
  * increment.plus[0].side; // "right": q ⊙ δq
  * increment.plus[0].quaternion.x; // 0.0087265
+ *
+ * // The variances of a body turned by 90° about y, on the axes of the world: its z is the world's x.
+ * const { covariance } = motion({
+ *   quaternion: "90 deg about y",
+ *   convention: HAMILTON,
+ *   covariance: [1, 4, 9],
+ * });
+ * Math.round(covariance.world[0][0]); // 9
  */
 export function motion(
   request: MotionRequest,

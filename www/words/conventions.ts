@@ -43,6 +43,7 @@ export const symbolOf: Record<Field, string> = {
   "rate-end": "ω₁",
   duration: "t",
   increment: "δ",
+  covariance: "P",
 };
 
 /** The four numbers in an order. */

@@ -24,6 +24,8 @@ const partNames: Partial<Record<keyof PageState, string>> = {
   within: "time",
   rate: "rate",
   rateEnd: "rate",
+  covariance: "covariance",
+  point: "point",
   motion: "choice",
   frames: "poses",
   find: "search",

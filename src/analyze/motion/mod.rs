@@ -3,6 +3,9 @@
 // A rate over time.
 mod course;
 
+// A covariance on other axes.
+mod covariance;
+
 // How it changes at a rate.
 mod derivative;
 
@@ -15,6 +18,9 @@ mod integrators;
 // Where it goes in time.
 mod path;
 
+// How the image of a point changes with it.
+mod point;
+
 // In which conventions, and with which sign.
 mod sided;
 
@@ -26,9 +32,11 @@ mod turned;
 
 use crate::analyze::attitude::{Attitude, Declared};
 use crate::analyze::motion::course::{Course, MOST_TURNS};
+use crate::analyze::motion::covariance::{covariance, of_covariance};
 use crate::analyze::motion::derivative::of_rate;
 use crate::analyze::motion::increment::of_increment;
 use crate::analyze::motion::path::of_course;
+use crate::analyze::motion::point::{of_point, point};
 use crate::analyze::motion::texts::Reader;
 use crate::contract::{MotionReport, MotionRequest};
 use crate::problem::fault::Fault;
@@ -48,6 +56,8 @@ pub(crate) fn motion(request: &MotionRequest) -> Result<MotionReport, Vec<Proble
     let start = reader.vector(&request.rate, Field::Rate);
     let end = reader.vector(&request.rate_end, Field::RateEnd);
     let seconds = reader.duration(&request.duration);
+    let covariance = reader.if_any(&request.covariance, Field::Covariance, covariance);
+    let point = reader.if_any(&request.point, Field::Point, point);
     let mut course = None;
     if let (Some(start), Some(seconds)) = (start, seconds) {
         let way = Course::new(start, end.unwrap_or(start), request.rate_axes, seconds);
@@ -66,6 +76,8 @@ pub(crate) fn motion(request: &MotionRequest) -> Result<MotionReport, Vec<Proble
             derivative: start
                 .map(|start| of_rate(&attitude, start, request.rate_axes, request.euler)),
             path: course.map(|course| of_course(&attitude, &course, request)),
+            covariance: covariance.map(|covariance| of_covariance(&attitude, &covariance)),
+            point: point.map(|point| of_point(&attitude, point)),
             notes,
         }),
         _ => Err(problems),

@@ -53,6 +53,19 @@ impl Reader {
         Some(vector)
     }
 
+    /// What a text holds; none where it is empty or has a problem.
+    pub(super) fn if_any<Read>(
+        &mut self,
+        text: &str,
+        field: Field,
+        read: fn(&str) -> Result<Read, Fault>,
+    ) -> Option<Read> {
+        if text.trim().is_empty() {
+            return None;
+        }
+        self.unless_problem(read(text).map_err(|fault| fault.in_field(field)))
+    }
+
     /// A time above zero, in seconds.
     pub(crate) fn duration(&mut self, text: &str) -> Option<f64> {
         if text.trim().is_empty() {

@@ -14,6 +14,16 @@ impl Fault {
         )
     }
 
+    pub(crate) fn not_a_covariance(span: Span, what: &'static str) -> Self {
+        Self::new(
+            ProblemCode::NotACovariance,
+            span,
+            what,
+            "a symmetric matrix whose variances are not negative, nor smaller than they are correlated",
+            "write its nine numbers row by row, or the three variances",
+        )
+    }
+
     pub(crate) fn turns_too_far(span: Span) -> Self {
         Self::new(
             ProblemCode::OutOfBounds,

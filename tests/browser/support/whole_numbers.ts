@@ -13,7 +13,7 @@ export const addresses = [
   "compose?digits=all",
   `read?digits=all&open=atlas,swing-twist&${longest}`,
   "compose?digits=all&open=between,chain&p=-0.1 0.2 0.3 -0.4",
-  "motion?digits=all&unit=rad",
+  "motion?digits=all&unit=rad&open=covariance,point",
   "frames?digits=all",
   "translate?worldAxes=NED to ENU",
   "translate?digits=all&translated=-0.1 0.2 -0.3 -0.4",

@@ -21,6 +21,8 @@ const asked = {
     "rateEnd",
     "duration",
     "increment",
+    "covariance",
+    "point",
     "motion",
   ],
   frames: ["preset", "axes", "matrix", "frames"],

@@ -5,6 +5,7 @@ import { shownRoughAngle } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import * as words from "../../words/motion/motion.tsx";
 import { AskStatus } from "../parts/Ask.tsx";
+import { AskedFold } from "../parts/AskedFold.tsx";
 import { ConventionSwitch } from "../parts/ConventionSwitch.tsx";
 import { MoreAxes } from "../parts/MoreAxes.tsx";
 import { Notes } from "../parts/Notes.tsx";
@@ -21,6 +22,9 @@ import "../parts/result.css";
 import "./motion.css";
 
 export { askedOfMotion } from "./asked.ts";
+
+const loadCovariance = () => import("./OfVectors.tsx").then(({ Covariance }) => Covariance);
+const loadPoint = () => import("./OfVectors.tsx").then(({ Point }) => Point);
 
 export function Motion({ store }: { store: Store }) {
   const shownResult = store.motion.value;
@@ -119,6 +123,15 @@ function Result({ store, report }: { store: Store; report: MotionReport }) {
       <div class="motion-cards">
         {card("path")}
         {card("derivative")}
+      </div>
+      <div class="folds motion-folds">
+        <AskedFold
+          store={store}
+          name="covariance"
+          summary={words.covarianceFold}
+          load={loadCovariance}
+        />
+        <AskedFold store={store} name="point" summary={words.pointFold} load={loadPoint} />
       </div>
     </>
   );

@@ -30,6 +30,8 @@ export const empty = {
   derivative: "Type an angular velocity ω.",
   path: "Type an angular velocity and a duration.",
 };
+export const covarianceFold = "A covariance on the other axes";
+export const pointFold = "How the image of a point changes with the attitude";
 export const declared = "Declared";
 export const more = "More";
 export const onBody = "on the body's axes";

@@ -1,5 +1,6 @@
 // C++ with Eigen.
 import { arrayOf } from "../../model/component_order.ts";
+import type { Rows } from "../../model/copied.ts";
 import { factors, float, listed } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
@@ -14,11 +15,11 @@ export const eigen: Writer = {
     matrix: ({ rows }) => {
       const [first = "", ...rest] = rows.map((row) => listed(row, float));
       return [
-        `Eigen::Matrix${rows.length}d M;`,
+        `${matrixType(rows)} M;`,
         `M << ${[first, ...rest.map((row) => `     ${row}`)].join(",\n")};`,
       ];
     },
-    vector: ({ numbers }) => [`Eigen::Vector3d v(${listed(numbers, float)});`],
+    vector: ({ numbers }) => [`Eigen::Vector${numbers.length}d v(${listed(numbers, float)});`],
     "axis-angle": ({ axis, angleRad }) => [
       `Eigen::AngleAxisd r(${float(angleRad)}, ${vector(axis)});`,
     ],
@@ -33,5 +34,12 @@ export const eigen: Writer = {
     ],
   },
 };
+
+function matrixType({ length, 0: first }: Rows): string {
+  const columns = first?.length ?? length;
+  return columns === length
+    ? `Eigen::Matrix${length}d`
+    : `Eigen::Matrix<double, ${length}, ${columns}>`;
+}
 
 const unitCall = (axis: string) => `Eigen::Vector3d::Unit${axis.toUpperCase()}()`;

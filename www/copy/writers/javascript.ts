@@ -26,7 +26,8 @@ export const javascript: Writer = {
   },
 };
 
-const threeVector = (numbers: readonly number[]) => `new THREE.Vector3(${listed(numbers, plain)})`;
+const threeVector = (numbers: readonly number[]) =>
+  `new THREE.Vector${numbers.length}(${listed(numbers, plain)})`;
 
 export const three: Writer = {
   comment: "//",

@@ -36,7 +36,7 @@ function numbersOf(value: Copied): object {
       return { rows: value.rows };
     case "vector": {
       const [x, y, z] = value.numbers;
-      return { x, y, z };
+      return value.numbers.length === 3 ? { x, y, z } : { numbers: value.numbers };
     }
     case "axis-angle":
       return { axis: value.axis, angle: value.angleRad, unit: "rad" };

@@ -13,6 +13,12 @@ function formula(symbol: string): string {
     .replaceAll("(.)", "\\odot")
     .replaceAll("(x)", "\\otimes")
     .replaceAll(" o ", " \\circ ")
+    .replaceAll(/d([qRev])\/dt/g, "\\dot{$1}")
+    .replaceAll("Omega", "\\Omega")
+    .replaceAll("omega", "\\omega")
+    .replaceAll("delta", "\\delta")
+    .replaceAll("]x", "]_{\\times}")
+    .replaceAll("J_r", "J_{r}")
     .replaceAll("^-1", "^{-1}")
     .replaceAll("^T", transposed)
     .replaceAll("*", "^{*}");

@@ -1,10 +1,17 @@
 // Rust with nalgebra.
 import { arrayOf } from "../../model/component_order.ts";
+import type { Rows } from "../../model/copied.ts";
 import { isNormOne } from "../../number/format.ts";
 import { factors, float, listed } from "./numbers.ts";
 import type { Writer } from "./writer.ts";
 
-const vector = (numbers: readonly number[]) => `Vector3::new(${listed(numbers, float)})`;
+const vector = (numbers: readonly number[]) =>
+  `Vector${numbers.length}::new(${listed(numbers, float)})`;
+
+function matrixType({ length, 0: first }: Rows): string {
+  const columns = first?.length ?? length;
+  return `Matrix${columns === length ? length : `${length}x${columns}`}`;
+}
 
 export const nalgebra: Writer = {
   comment: "//",
@@ -18,7 +25,7 @@ export const nalgebra: Writer = {
     },
     // Row by row, although nalgebra keeps its matrices column by column.
     matrix: ({ rows }) => [
-      `let m = Matrix${rows.length}::new(`,
+      `let m = ${matrixType(rows)}::new(`,
       ...rows.map((row) => `    ${listed(row, float)},`),
       ");",
     ],

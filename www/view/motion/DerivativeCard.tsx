@@ -1,4 +1,5 @@
 // How an attitude changes at a rate.
+import { derivativeValue, omegaValue, rateValues } from "../../copy/motion_values.ts";
 import type { DerivativeReport, SidedQuaternion } from "../../engine.ts";
 import { sequenceName } from "../../model/euler_sequence.ts";
 import { shown } from "../../number/format.ts";
@@ -19,6 +20,7 @@ export function DerivativeCard({
 }) {
   const { digits, unit } = store.state.value;
   const { quaternions, euler, eulerRatesRad, eulerDeterminant, vectorRateRad } = derivative;
+  const values = rateValues(derivative);
   const sequence = sequenceName(euler.sequence);
   const inUnit = (radians: number) => (unit === "degrees" ? (radians * 180) / Math.PI : radians);
   const per = unit === "degrees" ? "°/s" : "rad/s";
@@ -30,17 +32,20 @@ export function DerivativeCard({
         symbol="q̇"
         name={words.derivativeOf}
         formula={formula}
+        value={derivativeValue}
       />
       <ArrayRow
         name={`ω ${words.onBody}`}
         symbol={<>ω {words.onBody}</>}
         numbers={derivative.bodyRad}
+        value={values.body}
         digits={digits}
       />
       <ArrayRow
         name={`ω ${words.onWorld}`}
         symbol={<>ω {words.onWorld}</>}
         numbers={derivative.worldRad}
+        value={values.world}
         digits={digits}
       />
       {eulerRatesRad ? (
@@ -48,6 +53,10 @@ export function DerivativeCard({
           name={words.eulerRates(sequence)}
           symbol={`${words.eulerName} ${sequence}, ${per}`}
           numbers={eulerRatesRad.map(inUnit)}
+          value={values.eulerRates(
+            eulerRatesRad.map(inUnit),
+            unit === "degrees" ? "deg/s" : "rad/s",
+          )}
           digits={digits}
           note={words.determinant(shown(eulerDeterminant, "4"))}
         />
@@ -61,6 +70,7 @@ export function DerivativeCard({
           name={words.vectorRate}
           symbol={words.vectorName}
           numbers={vectorRateRad}
+          value={values.vectorRate}
           digits={digits}
         />
       ) : (
@@ -77,6 +87,7 @@ export function DerivativeCard({
               name={words.omega(nameIn(row.convention))}
               symbol={words.omega(nameIn(row.convention))}
               rows={row.matrix}
+              value={omegaValue(row)}
               digits={digits}
             />
           ))}
@@ -84,12 +95,14 @@ export function DerivativeCard({
             name={words.matrixRate}
             symbol="Ṙ, body → world"
             rows={derivative.bodyToWorld}
+            value={values.matrix}
             digits={digits}
           />
           <Matrix
             name={words.rightJacobian}
             symbol="J_r"
             rows={derivative.rightJacobian}
+            value={values.jacobian}
             digits={digits}
           />
           {derivative.rightJacobianInverse && (
@@ -97,6 +110,7 @@ export function DerivativeCard({
               name={words.inverseJacobian}
               symbol="J_r⁻¹"
               rows={derivative.rightJacobianInverse}
+              value={values.inverse}
               digits={digits}
             />
           )}

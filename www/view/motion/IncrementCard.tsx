@@ -1,4 +1,5 @@
 // An attitude after a small turn, in every convention, and what goes wrong with it.
+import { incrementValues, turnedValue } from "../../copy/motion_values.ts";
 import type { IncrementReport, SidedQuaternion } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
 import { fromRadians, shown, shownAngle } from "../../number/format.ts";
@@ -18,6 +19,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
   const [own, other] = isLocal ? [0, 3] : [3, 0];
   const [declared] = increment.plus.slice(own);
   const [quaternionOff, matrixOff, turnOff] = increment.smallAngleOff;
+  const values = declared && incrementValues(increment, declared, store.engine.describe);
   const strips = (rows: readonly SidedQuaternion[], from: number, formula = plus) => (
     <SidedStrips
       store={store}
@@ -25,6 +27,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
       symbol="q"
       name={formula === plus ? words.after : words.before}
       formula={formula}
+      value={turnedValue}
     />
   );
   return (
@@ -34,12 +37,14 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
         name={words.onBody}
         symbol={<>δ {words.onBody}</>}
         numbers={increment.bodyRad}
+        value={values?.body}
         digits={digits}
       />
       <ArrayRow
         name={words.onWorld}
         symbol={<>δ {words.onWorld}</>}
         numbers={increment.worldRad}
+        value={values?.world}
         digits={digits}
       />
       <Mistakes store={store} mistakes={increment.mistakes} />
@@ -51,6 +56,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
               symbol="δq"
               name={words.errorQuaternion}
               components={declared.factor}
+              value={values?.error}
               convention={declared.convention}
               digits={digits}
             />
@@ -60,6 +66,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
               symbol="[1, δ/2]"
               name={words.smallAngle}
               components={increment.smallAngleQuaternion}
+              value={values?.smallQuaternion}
               convention={declared.convention}
               digits={digits}
             />
@@ -68,6 +75,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
             name={words.smallMatrix}
             symbol="I + [δ]×"
             rows={increment.smallAngleMatrix}
+            value={values?.smallMatrix}
             digits={digits}
           />
           <p>
@@ -81,6 +89,7 @@ export function IncrementCard({ store, increment }: { store: Store; increment: I
             name={words.matrixAfter}
             symbol="R(q ⊕ δ), body → world"
             rows={increment.bodyToWorld}
+            value={values?.matrix}
             digits={digits}
           />
           <h3>{words.otherAxes[isLocal ? "world" : "body"]}</h3>

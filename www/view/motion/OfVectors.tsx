@@ -1,7 +1,9 @@
 // Beside a motion: a covariance on the other axes, and how the image of a point changes with the attitude.
 import type { ComponentChildren } from "preact";
+import { covarianceValue, pointValues } from "../../copy/motion_values.ts";
 import type { Request } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
+import type { Copied } from "../../model/copied.ts";
 import type { PageState } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
 import { lettersOf } from "../../words/conventions.ts";
@@ -31,6 +33,7 @@ export function Covariance({ store }: { store: Store }) {
       name={words.covarianceOn[name]}
       symbol={words.covarianceOn[name]}
       rows={report?.covariance?.[name] ?? []}
+      value={report?.covariance && covarianceValue(report.covariance, name)}
       digits={digits}
     />
   ));
@@ -56,11 +59,15 @@ export function Point({ store }: { store: Store }) {
   const { point, digits } = store.state.value;
   const changes = report?.point;
   const { order } = declaredConvention(store.state.value);
+  const values = changes && pointValues(changes, lettersOf[order]);
   const matrix = (
     name: string,
     symbol: ComponentChildren,
     rows: readonly (readonly number[])[],
-  ) => <Matrix name={name} symbol={symbol} caption={name} rows={rows} digits={digits} />;
+    value: Copied | undefined,
+  ) => (
+    <Matrix name={name} symbol={symbol} caption={name} rows={rows} digits={digits} value={value} />
+  );
   return (
     <section class="card asked" aria-label={words.point}>
       <AskedText
@@ -76,13 +83,29 @@ export function Point({ store }: { store: Store }) {
             name={words.image}
             symbol={words.image}
             numbers={changes.world}
+            value={values?.image}
             digits={digits}
           />
           <div class="asked-columns">
-            {matrix(words.byBodyTurn, "∂(R x)/∂δ = −R [x]×", changes.byBodyTurn)}
-            {matrix(words.byWorldTurn, "∂(R x)/∂δ = −[R x]×", changes.byWorldTurn)}
+            {matrix(
+              words.byBodyTurn,
+              "∂(R x)/∂δ = −R [x]×",
+              changes.byBodyTurn,
+              values?.byBodyTurn,
+            )}
+            {matrix(
+              words.byWorldTurn,
+              "∂(R x)/∂δ = −[R x]×",
+              changes.byWorldTurn,
+              values?.byWorldTurn,
+            )}
           </div>
-          {matrix(words.byComponents(lettersOf[order]), "∂(q∘x∘q*)/∂q", changes.byComponents)}
+          {matrix(
+            words.byComponents(lettersOf[order]),
+            "∂(q∘x∘q*)/∂q",
+            changes.byComponents,
+            values?.byComponents,
+          )}
         </div>
       )}
     </section>

@@ -1,9 +1,12 @@
 // Where a rate leads in time, what goes wrong, and how well steps follow it.
+import { pathValues } from "../../copy/motion_values.ts";
 import type { MistakeKind, MotionReport, PathReport } from "../../engine.ts";
 import { choicesOf, drawable, textOf } from "../../model/motion_choices.ts";
+import { exactRows } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
 import { mistakeWords } from "../../words/motion/mistakes.ts";
 import * as words from "../../words/motion/motion.tsx";
+import { Copy } from "../parts/Copy.tsx";
 import { ArrayRow, ComponentStrip } from "../parts/Value.tsx";
 import { ErrorPlot } from "./ErrorPlot.tsx";
 import { Mistakes } from "./Mistakes.tsx";
@@ -23,6 +26,8 @@ export function PathCard({
   report: MotionReport;
 }) {
   const { digits } = store.state.value;
+  const values = pathValues(path, report.quaternion.convention, store.engine.describe);
+  const way = path.ways[0] ?? [];
   const { drawn } = choicesOf(store.state.value);
   return (
     <>
@@ -30,6 +35,7 @@ export function PathCard({
         symbol="q"
         name={words.endOf}
         components={path.end}
+        value={values.end}
         convention={report.quaternion.convention}
         digits={digits}
       />
@@ -37,8 +43,14 @@ export function PathCard({
         name={words.endTurn}
         symbol={words.endTurn}
         numbers={path.turn.rotationVectorRad}
+        value={values.turn}
         digits={digits}
       />
+      <div class="row">
+        <span class="row-symbol">{words.wayName}</span>
+        <span class="row-value">{words.moments(way.length)}</span>
+        <Copy of={words.wayName} text={exactRows(way)} value={values.path} />
+      </div>
       <Mistakes store={store} mistakes={path.mistakes} />
       <label class="motion-drawn">
         {words.drawnName}{" "}

@@ -1,5 +1,6 @@
 // A quaternion with the formula that makes it: on which side the factor stands, with which sign.
-import type { Convention, SidedQuaternion } from "../../engine.ts";
+import type { Convention, Describe, SidedQuaternion } from "../../engine.ts";
+import type { Copied } from "../../model/copied.ts";
 import type { Store } from "../../state/store.ts";
 import { declared } from "../../words/motion/motion.tsx";
 import { ComponentStrip } from "../parts/Value.tsx";
@@ -50,12 +51,14 @@ export function SidedStrips({
   symbol,
   name,
   formula,
+  value,
 }: {
   store: Store;
   rows: readonly SidedQuaternion[];
   symbol: string;
   name: (convention: string) => string;
   formula: (row: SidedQuaternion) => string;
+  value: (row: SidedQuaternion, describe: Describe) => Copied;
 }) {
   const { digits } = store.state.value;
   return (
@@ -73,6 +76,7 @@ export function SidedStrips({
               components={row.quaternion}
               convention={row.convention}
               digits={digits}
+              value={value(row, store.engine.describe)}
             />
           </div>
         );

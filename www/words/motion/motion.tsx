@@ -62,6 +62,8 @@ export const wholeTurn = "undetermined: a whole turn";
 export const rightJacobian = "right Jacobian";
 export const inverseJacobian = "inverse of the right Jacobian";
 export const endOf = "quaternion at the end";
+export const wayName = "the way";
+export const moments = (count: number) => `${count} moments: t, w, x, y, z`;
 export const endTurn = "rotation vector, rad";
 
 export const wrongName = "What goes wrong";

@@ -100,7 +100,7 @@ fn what_is_no_covariance_is_a_problem_of_its_text() {
         assert!(!problem.hint.is_empty() && problem.span.end > problem.span.start);
     }
     let zero = ask(Convention::JPL, |asked| {
-        asked.covariance = "0 0 0".to_owned()
+        asked.covariance = "0 0 0".to_owned();
     });
     assert_eq!(zero.covariance.expect("asked").body, [[0.0; 3]; 3]);
 }

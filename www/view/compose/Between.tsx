@@ -183,6 +183,12 @@ function Differences({ store, report }: { store: Store; report: BetweenReport })
           numbers={angles}
           digits={digits}
           note={words.noTurn(unit)}
+          value={{
+            kind: "vector",
+            symbol: "de",
+            numbers: angles,
+            on: words.copies.differences(sequenceName(pEuler.sequence), unit),
+          }}
         />
       </div>
     </div>
@@ -203,6 +209,12 @@ function Rate({ store, report, rate }: { store: Store; report: BetweenReport; ra
             name={words.rateOn[axes]}
             symbol={words.rateOn[axes]}
             numbers={rate[axes === "local" ? "bodyRad" : "worldRad"]}
+            value={{
+              kind: "vector",
+              symbol: "omega",
+              numbers: rate[axes === "local" ? "bodyRad" : "worldRad"],
+              on: words.copies.rate[axes],
+            }}
             digits={digits}
             note={axis && words.rateAbout(perSecond, shownAxis(axis, digits))}
           />

@@ -1,5 +1,5 @@
 // A product of any number of factors, each as it is or inverted, in both notations; and their mean.
-import { columnValues } from "../../copy/values.ts";
+import { columnValues, quaternionValue } from "../../copy/values.ts";
 import type { ChainReport, Request } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
 import type { PageState, Preset } from "../../model/page_state.ts";
@@ -128,7 +128,7 @@ interface Multiplied {
 
 function Product({ store, report, factors, inReverse }: Multiplied) {
   const { digits } = store.state.value;
-  const { mean } = report;
+  const { mean, declared } = report;
   return (
     <>
       <div class="asked-columns">
@@ -139,7 +139,13 @@ function Product({ store, report, factors, inReverse }: Multiplied) {
       <div>
         <TurnRows store={store} report={report} />
         {mean ? (
-          <ArrayRow name={words.mean} symbol={words.mean} numbers={mean.array} digits={digits} />
+          <ArrayRow
+            name={words.mean}
+            symbol={words.mean}
+            numbers={mean.array}
+            digits={digits}
+            value={quaternionValue("q", mean, declared.convention, store.engine.describe)}
+          />
         ) : (
           <p class="asked-lead">{words.noMean}</p>
         )}

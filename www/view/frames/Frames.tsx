@@ -1,6 +1,6 @@
 // The Frames view: named frames, what is known between them, and where one stands in another.
 import { useRef } from "preact/hooks";
-import { columnValues, eulerValue } from "../../copy/values.ts";
+import { columnValues, eulerValue, matrixValue } from "../../copy/values.ts";
 import type { FoundPose, FramesReport } from "../../engine.ts";
 import {
   exactArray,
@@ -100,7 +100,13 @@ function Answer({
     <section class="card frames-answer" aria-labelledby="frames-answer">
       <h2 id="frames-answer">{titleOf(report)}</h2>
       {position ? (
-        <ArrayRow name={words.position} symbol={<var>p</var>} numbers={position} digits={digits} />
+        <ArrayRow
+          name={words.position}
+          symbol={<var>p</var>}
+          numbers={position}
+          digits={digits}
+          value={{ kind: "vector", symbol: "p", numbers: position, on: words.copies.position }}
+        />
       ) : (
         <p>{words.noPosition}</p>
       )}
@@ -131,6 +137,9 @@ function Answer({
               symbol={name}
               numbers={point}
               digits={digits}
+              value={
+                point && { kind: "vector", symbol: "x", numbers: point, on: words.copies.point }
+              }
             />
           ))}
         </>
@@ -163,6 +172,7 @@ function Answer({
                 symbol={words.takes(child, parent)}
                 rows={homogeneous}
                 digits={digits}
+                value={matrixValue("T", homogeneous, words.copies.homogeneous)}
               />
               {inverseHomogeneous && (
                 <Matrix
@@ -170,6 +180,7 @@ function Answer({
                   symbol={words.takes(parent, child)}
                   rows={inverseHomogeneous}
                   digits={digits}
+                  value={matrixValue("T^-1", inverseHomogeneous, words.copies.inverse)}
                 />
               )}
             </>

@@ -1,5 +1,6 @@
 // One attitude as a rotation about an axis, and the rest.
-import type { Request, Turn } from "../../engine.ts";
+import { quaternionValue } from "../../copy/values.ts";
+import type { Components, Request, Turn } from "../../engine.ts";
 import { declaredConvention } from "../../model/conventions.ts";
 import type { PageState } from "../../model/page_state.ts";
 import { fromRadians, shownAngle, shownAxis } from "../../number/format.ts";
@@ -20,8 +21,18 @@ export function SwingTwist({ store }: { store: Store }) {
   const angle = (radians: number) => shownAngle(fromRadians(radians), digits, unit);
   const turned = ({ angleRad, axis }: Turn) =>
     axis && words.turn(angle(angleRad), shownAxis(axis, digits));
-  const row = (name: string, array: readonly number[], note: string | undefined) => (
-    <ArrayRow name={name} symbol={name} numbers={array} digits={digits} note={note} />
+  const row = (name: string, quaternion: Components, note: string | undefined) => (
+    <ArrayRow
+      name={name}
+      symbol={name}
+      numbers={quaternion.array}
+      digits={digits}
+      note={note}
+      value={
+        report &&
+        quaternionValue("q", quaternion, report.quaternion.convention, store.engine.describe)
+      }
+    />
   );
   return (
     <section class="card asked" aria-label={words.title}>
@@ -44,9 +55,9 @@ export function SwingTwist({ store }: { store: Store }) {
               words={angle(report.twistRad)}
             />
           )}
-          {row(words.twist, report.twist.array, lettersOf[report.quaternion.convention.order])}
-          {row(words.swing, report.swingQuaternion.array, turned(report.swing))}
-          {row(words.bodySwing, report.bodySwingQuaternion.array, turned(report.bodySwing))}
+          {row(words.twist, report.twist, lettersOf[report.quaternion.convention.order])}
+          {row(words.swing, report.swingQuaternion, turned(report.swing))}
+          {row(words.bodySwing, report.bodySwingQuaternion, turned(report.bodySwing))}
         </div>
       )}
     </section>

@@ -62,3 +62,13 @@ export const halfway = "half way, the mean";
 export const picture = "Picture of the way from p to q";
 export const pictureSays = (part: string) =>
   `The body B at t = ${part}, between the outlines of p and q.`;
+
+/** What copied numbers say they are; plain ASCII, since they go into source files. */
+export const copies = {
+  differences: (sequence: string, unit: Unit) =>
+    `angles ${sequence} of q less those of p in ${unit}, by the shorter way round; no rotation`,
+  rate: {
+    local: "angular velocity in rad/s on the body axes",
+    global: "angular velocity in rad/s on the world axes",
+  },
+};

@@ -77,6 +77,14 @@ export const takes = (child: string, parent: string) => `${child} → ${parent}`
 export const euler = "Euler angles";
 export const misprinted = "position as it is printed";
 
+/** What copied numbers say they are, without names that somebody typed: it goes into source files. */
+export const copies = {
+  position: "origin of the frame that is asked about, in coordinates of the other",
+  point: "coordinates of the point in one frame",
+  homogeneous: "takes x y z 1 of the frame that is asked about to those of the other",
+  inverse: "takes x y z 1 of the other frame to those of the one that is asked about",
+};
+
 export const spoken = (title: string, turn: string, position: string) =>
   `Result: ${title}: ${turn}${position}.`;
 export const spokenPosition = (position: string) => `, at ${position}`;

@@ -8,13 +8,17 @@ use crate::contract::request::BetweenRequest;
 use crate::contract::{BetweenReport, Form, Mistake, MistakeKind, RateBetween, Verdict};
 use crate::convention::{Convention, Perturbation};
 use crate::motion::kinematics::RateAxes;
-use crate::problem::{Field, Problem};
+use crate::problem::fault::Fault;
+use crate::problem::{Field, Problem, Span};
 use crate::rotation::Rotation;
 use crate::rotation::quaternion::TaggedQuaternion;
 use crate::text::parse_number;
 
 /// Two attitudes nearer than this are one, rounded: four decimals are off by half as much each.
 const SAME_RAD: f64 = 2e-4;
+
+/// Of more times the way the digits are those of rounding.
+const MOST_WAYS: f64 = 1000.0;
 
 pub(crate) fn between(request: &BetweenRequest) -> Result<BetweenReport, Vec<Problem>> {
     let declared = Declared::plain(request.convention, request.matrix);
@@ -100,9 +104,13 @@ fn part(text: &str) -> Result<f64, Problem> {
     if text.is_empty() {
         return Ok(0.5);
     }
-    parse_number(text)
-        .map(plain)
-        .map_err(|fault| fault.in_field(Field::Part))
+    let told = parse_number(text).and_then(|part| {
+        if part.abs() > MOST_WAYS {
+            return Err(Fault::too_far(Span::of_trimmed(text)));
+        }
+        Ok(plain(part))
+    });
+    told.map_err(|fault| fault.in_field(Field::Part))
 }
 
 /// The same difference of angles above −180 and up to 180 degrees.

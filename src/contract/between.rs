@@ -42,7 +42,7 @@ pub struct BetweenReport {
     pub part: f64,
     /// The attitude there, in the declared convention (slerp, by the shorter way; Shoemake 1985).
     pub way: Column,
-    /// The attitude half way, in the declared convention.
+    /// The attitude half way, in the declared convention; at half a turn one of two, as the way is one of two.
     pub halfway: Column,
     /// Where a duration was given: the constant rate that leads from p to q in it.
     pub rate: Option<RateBetween>,

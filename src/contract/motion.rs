@@ -55,7 +55,7 @@ pub struct MotionRequest {
     #[serde(default)]
     pub increment_sign: IncrementSign,
     /// A covariance of a vector, or of small turns, on the axes on which the increment is: nine numbers row by
-    /// row, or three variances; a number for radians is one for their squares.
+    /// row, the six of the upper triangle, three variances, or one; a number for radians is one for their squares.
     #[serde(default)]
     pub covariance: Text,
     /// A point x fixed in the body, in its coordinates.
@@ -136,7 +136,8 @@ pub struct PointReport {
     /// `−[R_WB x]×`, for one on the world's axes.
     pub by_world_turn: [[f64; 3]; 3],
     /// `∂(q∘x∘q*)/∂q` of the declared product at the declared quaternion: three rows, with a column for each
-    /// component in the declared order (specification, FX-25).
+    /// component in the declared order (specification, FX-25). Where that takes world to body, as in JPL, the same
+    /// three numbers x are coordinates in the world.
     pub by_components: [[f64; 4]; 3],
 }
 

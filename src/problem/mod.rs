@@ -276,6 +276,8 @@ pub enum ProblemCode {
     /// A rate, a small turn or a duration outside of what is answered.
     #[cfg(feature = "whole")]
     OutOfBounds,
+    /// What no library prints of what was put in.
+    FitsNoConvention,
     /// Nine numbers that are no covariance.
     #[cfg(feature = "whole")]
     NotACovariance,

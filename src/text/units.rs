@@ -31,6 +31,10 @@ pub(crate) const OF_TURNS: &[Unit] = &[
 /// Of times, in s.
 pub(crate) const OF_TIMES: &[Unit] = &[
     ("ms", 1e-3),
+    ("us", 1e-6),
+    ("µs", 1e-6),
+    ("μs", 1e-6),
+    ("ns", 1e-9),
     ("min", 60.0),
     ("sec", 1.0),
     ("s", 1.0),

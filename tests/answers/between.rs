@@ -402,7 +402,7 @@ fn each_text_that_cannot_be_read_is_a_problem() {
     for problem in &found.problems {
         assert!(!problem.message.is_empty() && !problem.expected.is_empty());
     }
-    for part in ["1e400", "nan", "1 2", " "] {
+    for part in ["1e400", "nan", "1 2", " ", "1001", "-1e308"] {
         let outcome = analyze(&request(A, B, part, Convention::HAMILTON));
         assert!(matches!(outcome, Outcome::Problems(_)), "{part}");
     }

@@ -99,6 +99,19 @@ fn what_is_no_covariance_is_a_problem_of_its_text() {
         );
         assert!(!problem.hint.is_empty() && problem.span.end > problem.span.start);
     }
+    for (text, right) in [
+        (
+            "1 0.1 0.2 2 0.3 3",
+            [1.0, 0.1, 0.2, 0.1, 2.0, 0.3, 0.2, 0.3, 3.0],
+        ),
+        ("0.5", [0.5, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.5]),
+    ] {
+        let report = ask(Convention::HAMILTON, |asked| {
+            asked.covariance = text.to_owned();
+        });
+        let covariance = report.covariance.expect("asked");
+        assert_close(text, &covariance.body.concat(), &right, 0.0);
+    }
     let zero = ask(Convention::JPL, |asked| {
         asked.covariance = "0 0 0".to_owned();
     });

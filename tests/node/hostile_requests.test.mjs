@@ -79,7 +79,7 @@ const good = {
     product: "1 0 0 0 1 0 0 0 1",
     matrix: "0 -1 0 1 0 0 0 0 1",
     rotationVector: "0.01 0 0",
-    printed: "0 -1 0 1 0 0 0 0 1",
+    printed: "0 -0.99995 0.0099998 1 0 0 0 0.0099998 0.99995",
   }),
   between: () => ({
     view: "between",
@@ -111,6 +111,8 @@ const good = {
     steps: 4,
     increment: "0.01 0 0",
     incrementSign: "formal",
+    covariance: "1 4 9",
+    point: "1 2 3",
   }),
   frames: () => ({
     view: "frames",
@@ -256,7 +258,7 @@ test("a member that is missing is named, unless it may be", () => {
     matrices: /^(?!view$)/,
     frames: /^(point|position)$/,
     between: /^duration$/,
-    motion: /^(rate|rateEnd|rateAxes|duration|steps|increment|incrementSign)$/,
+    motion: /^(rate|rateEnd|rateAxes|duration|steps|increment|incrementSign|covariance|point)$/,
   };
   for (const view of views) {
     for (const [at, { object, path }] of [...objectsIn(good[view]())].entries()) {

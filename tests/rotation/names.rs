@@ -114,7 +114,7 @@ fn frames_and_axes_of_euler_angles_have_the_names_of_json() {
 
 #[wasm_bindgen_test(unsupported = test)]
 fn every_code_of_a_problem_has_the_name_of_json() {
-    assert_eq!(ProblemCode::VARIANTS.len(), 44);
+    assert_eq!(ProblemCode::VARIANTS.len(), 45);
     for name in ProblemCode::VARIANTS {
         let code: ProblemCode = serde_json::from_value((*name).into()).expect(name);
         assert_eq!(code.name(), *name);

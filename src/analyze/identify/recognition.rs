@@ -13,7 +13,7 @@ use crate::rotation::{NoRotation, Rotation};
 use nalgebra::{Matrix3, Vector3};
 
 /// A vector of length 1 that is printed with one decimal may be this far from where it is.
-const ONE_DECIMAL: f64 = 0.1;
+pub(crate) const ONE_DECIMAL: f64 = 0.1;
 
 /// Of the four turns that an increment may be, one is told if it alone is nearer than this part of the
 /// increment: for a body yawed by +90° the nearest two are √2 of it apart, so rounding has room.
@@ -197,7 +197,21 @@ pub fn increment_of(
     after: &Rotation,
     increment_rad: [f64; 3],
 ) -> Option<(Perturbation, IncrementSign)> {
-    let turn = Rotation::from_rotation_vector_rad(increment_rad).ok()?;
+    match increments_that_fit(before, after, increment_rad)[..] {
+        [told] => Some(told),
+        _ => None,
+    }
+}
+
+/// The axes and signs with which an increment leads from one attitude to the other.
+pub(crate) fn increments_that_fit(
+    before: &Rotation,
+    after: &Rotation,
+    increment_rad: [f64; 3],
+) -> Vec<(Perturbation, IncrementSign)> {
+    let Ok(turn) = Rotation::from_rotation_vector_rad(increment_rad) else {
+        return Vec::new();
+    };
     let nearer_than_rad = PART_OF_INCREMENT * Rotation::identity().angle_to_rad(&turn);
     let fits = |(axes, sign): &(Perturbation, IncrementSign)| {
         let of_body = match sign {
@@ -210,13 +224,13 @@ pub fn increment_of(
         };
         turned.angle_to_rad(after) < nearer_than_rad
     };
-    let mut told = None;
+    let mut fitting = Vec::new();
     for axes in Perturbation::ALL {
         for sign in IncrementSign::ALL {
-            if fits(&(axes, sign)) && told.replace((axes, sign)).is_some() {
-                return None;
+            if fits(&(axes, sign)) {
+                fitting.push((axes, sign));
             }
         }
     }
-    told
+    fitting
 }

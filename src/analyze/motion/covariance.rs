@@ -7,7 +7,7 @@ use crate::contract::CovarianceReport;
 use crate::convention::{Direction, Perturbation};
 use crate::problem::Span;
 use crate::problem::fault::Fault;
-use crate::text::parse_vector;
+use crate::text::{only_numbers, parse_vector};
 use nalgebra::Matrix3;
 
 /// What is made of more may not fit into a double.
@@ -17,11 +17,22 @@ pub(super) const MOST: f64 = f64::MAX / 16.0;
 /// about 1 leave half of it.
 const ROUNDING: f64 = 1e-4;
 
-/// Nine numbers, or the three variances of numbers that are not correlated.
+const EXPECTED: &str =
+    "nine numbers, six of the upper triangle, three variances, or one for all three";
+const HINT: &str = "0.01 0.01 0.04";
+
+/// Nine numbers, the six of the upper triangle row by row, the three variances of numbers that are not
+/// correlated, or one for all three.
 pub(super) fn covariance(text: &str) -> Result<Matrix3<f64>, Fault> {
-    let covariance = match parse_vector(text) {
-        Ok(variances) => Matrix3::from_diagonal(&variances),
-        Err(_) => observation::matrix(text)?,
+    let covariance = match (parse_vector(text), only_numbers(text).as_deref()) {
+        (Ok(variances), _) => Matrix3::from_diagonal(&variances),
+        (_, Some(&[variance])) => Matrix3::from_diagonal_element(variance),
+        (_, Some(&[xx, xy, xz, yy, yz, zz])) => Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz),
+        _ => observation::matrix(text).map_err(|fault| Fault {
+            expected: EXPECTED.to_owned(),
+            hint: HINT.to_owned(),
+            ..fault
+        })?,
     };
     if covariance.amax() > MOST {
         return Err(Fault::too_large(Span::of_trimmed(text)));

@@ -37,7 +37,7 @@ impl Reader {
             _ => (OF_RATES, "/s"),
         };
         let (numbers, unit) = without_unit(text, units);
-        let read = parse_vector(numbers).map_err(|fault| fault.in_field(field));
+        let read = parse_vector(numbers).map_err(|fault| told(fault, vector_hint(field), field));
         let vector = self.unless_problem(read)? * unit.unwrap_or(1.0);
         if vector.amax() > MOST {
             self.refuse(Fault::too_fast(Span::of_trimmed(text)), field);
@@ -72,7 +72,11 @@ impl Reader {
             return None;
         }
         let (number, unit) = without_unit(text, OF_TIMES);
-        let read = parse_number(number).map_err(|fault| fault.in_field(Field::Duration));
+        let hint = (
+            "a time, with one unit behind it",
+            "10 s, 500 ms, 5 us or 2 min",
+        );
+        let read = parse_number(number).map_err(|fault| told(fault, hint, Field::Duration));
         let seconds = self.unless_problem(read)? * unit.unwrap_or(1.0);
         let span = Span::of_trimmed(text);
         if seconds < SHORTEST_S {
@@ -92,4 +96,27 @@ impl Reader {
     pub(crate) fn unless_problem<Read>(&mut self, read: Result<Read, Problem>) -> Option<Read> {
         read.map_err(|problem| self.problems.push(problem)).ok()
     }
+}
+
+const fn vector_hint(field: Field) -> (&'static str, &'static str) {
+    match field {
+        Field::Increment => (
+            "three numbers, and one unit behind them",
+            "0.02 -0.03 0.05 rad, or 1 0 0 deg",
+        ),
+        _ => (
+            "three numbers, and one unit of a rate behind them",
+            "0.1 -0.2 0.3 rad/s, or 0 0 90 deg/s",
+        ),
+    }
+}
+
+/// A fault with what is expected of such a text, and an example of it.
+fn told(fault: Fault, (expected, hint): (&str, &str), field: Field) -> Problem {
+    Fault {
+        expected: expected.to_owned(),
+        hint: hint.to_owned(),
+        ..fault
+    }
+    .in_field(field)
 }

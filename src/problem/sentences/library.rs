@@ -34,6 +34,16 @@ impl Fault {
         )
     }
 
+    pub(crate) fn fits_no_convention(span: Span, what: &'static str, hint: &'static str) -> Self {
+        Self::told(ProblemCode::FitsNoConvention, span, || {
+            Words::new(
+                what,
+                "what one of the conventions prints of what was put in",
+                hint,
+            )
+        })
+    }
+
     pub(crate) fn not_a_matrix(span: Span, what: &str) -> Self {
         Self::told(ProblemCode::NotAMatrix, span, || {
             Words::new(

@@ -34,6 +34,16 @@ impl Fault {
         )
     }
 
+    pub(crate) fn too_far(span: Span) -> Self {
+        Self::new(
+            ProblemCode::OutOfBounds,
+            span,
+            "more than 1000 times the way",
+            "a part of the way, from 0 at p to 1 at q, or some way beyond",
+            "write a number such as 0.3",
+        )
+    }
+
     pub(crate) fn too_fast(span: Span) -> Self {
         Self::new(
             ProblemCode::OutOfBounds,

@@ -144,6 +144,8 @@ export async function openEverything(page: Page) {
   await page.evaluate(() => {
     for (const details of document.querySelectorAll("details")) details.open = true;
   });
+  // Behind a dialog nothing is opened.
+  if ((await page.getByRole("dialog").count()) > 0) return;
   // These come with the whole core.
   const closed = page.locator(".fold > button[aria-expanded=false]");
   while ((await closed.count()) > 0) await closed.first().click();

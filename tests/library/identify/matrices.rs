@@ -3,7 +3,7 @@
 use quatlas::nalgebra::{Matrix3, Vector3};
 use quatlas::{
     Direction, Field, Function, IncrementSign, MatricesReport, MatricesRequest, MatrixConvention,
-    Outcome, Perturbation, Request, analyze,
+    Outcome, Perturbation, ProblemCode, Request, analyze,
 };
 use std::f64::consts::FRAC_PI_2;
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -129,9 +129,9 @@ fn what_tells_nothing_of_matrices_is_left_out() {
         (none.operator, none.function, none.increment_sign),
         (None, None, None)
     );
-    // Turns about one axis, a body that is not yawed, and a matrix that stayed.
+    // Turns about one axis, and a small turn of which no operator is known.
     let report = identify(MatricesRequest {
-        yawed: rolled.clone(),
+        yawed: String::new(),
         a: rolled.clone(),
         b: rolled.clone(),
         product: "1 0 0 0 -1 0 0 0 -1".to_owned(),
@@ -162,4 +162,45 @@ fn what_tells_nothing_of_matrices_is_left_out() {
         }),
         Field::RotationVector
     );
+}
+
+/// What no library prints counts for none: a body that is not yawed or is mirrored, a product that is neither,
+/// and a matrix that stayed where a small turn was added.
+#[wasm_bindgen_test(unsupported = test)]
+fn what_fits_no_convention_of_matrices_is_a_problem() {
+    let (yawed, rolled) = ("0 -1 0 1 0 0 0 0 1", "1 0 0 0 0 -1 0 1 0");
+    let told = |change: &dyn Fn(&mut MatricesRequest)| {
+        let mut request = MatricesRequest::default();
+        change(&mut request);
+        match analyze(&Request::Matrices(request)) {
+            Outcome::Problems(problems) => {
+                let problem = &problems.problems[0];
+                assert_eq!(problem.code, ProblemCode::FitsNoConvention);
+                problem.field
+            }
+            other => panic!("{other:?}"),
+        }
+    };
+    for other in [
+        rolled,
+        "0 1 0 1 0 0 0 0 1",
+        "0 0 1 1 0 0 0 1 0",
+        "1 0 0 0 1 0 0 0 1",
+    ] {
+        let field = told(&|request| request.yawed = other.to_owned());
+        assert_eq!(field, Field::Yawed, "{other}");
+    }
+    let field = told(&|request| {
+        request.a = yawed.to_owned();
+        request.b = rolled.to_owned();
+        request.product = "1 0 0 0 1 0 0 0 1".to_owned();
+    });
+    assert_eq!(field, Field::Product);
+    let field = told(&|request| {
+        request.yawed = yawed.to_owned();
+        request.matrix = yawed.to_owned();
+        request.rotation_vector = "0.01 0 0".to_owned();
+        request.printed = yawed.to_owned();
+    });
+    assert_eq!(field, Field::Printed);
 }

@@ -44,6 +44,7 @@ export function Between({ store }: { store: Store }) {
           <p class="asked-sentence" role="status">
             {sentenceOf(store, report)}
           </p>
+          {isHalfTurn(report) && <p class="asked-lead">{words.halfTurn}</p>}
           <Differences store={store} report={report} />
         </div>
       )}
@@ -106,6 +107,9 @@ export function Between({ store }: { store: Store }) {
     </section>
   );
 }
+
+/** Nearer than numbers with six decimals tell. */
+const isHalfTurn = ({ local }: BetweenReport) => local.angleDeg > 179.9999;
 
 function sentenceOf(store: Store, { verdict, local, p, q }: BetweenReport): string {
   const apart = shownRoughAngle(local.angleDeg, store.state.value.unit);
@@ -236,7 +240,9 @@ function Way({
 }) {
   const column = report[of];
   const name =
-    of === "way" ? words.at(shown(report.part, store.state.value.digits)) : words.halfway;
+    of === "way"
+      ? words.at(shown(report.part, store.state.value.digits))
+      : words.halfway(isHalfTurn(report));
   return (
     <ArrayRow
       name={name}

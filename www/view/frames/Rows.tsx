@@ -74,8 +74,15 @@ export function Question({ rig, report, change }: AskedProps) {
 
 /** What is wrong with the question. */
 export function Problems({ rig, report, change }: AskedProps) {
+  const problemsOfQuestion = report !== undefined && report.problems.length > 0;
+  const unread = (report?.poses ?? []).flatMap(({ problems }, at) =>
+    problems.length > 0 ? [at + 1] : [],
+  );
   return (
     <div id="frames-problems">
+      {problemsOfQuestion && unread.length > 0 && (
+        <p class="frames-problem">{words.unreadRows(unread)}</p>
+      )}
       {report?.problems.map((problem) => (
         <ProblemLine key={problem.field} problem={problem} rig={rig} change={change} />
       ))}

@@ -1,5 +1,6 @@
 // The Motion view: one attitude, a small turn, a rate, and where that leads in time.
 import type { MotionReport } from "../../engine.ts";
+import { declaredConvention } from "../../model/conventions.ts";
 import { type Choices, choicesOf, mostSteps, textOf } from "../../model/motion_choices.ts";
 import { shownRoughAngle } from "../../number/format.ts";
 import type { Store } from "../../state/store.ts";
@@ -87,7 +88,13 @@ export function Motion({ store }: { store: Store }) {
         <MoreAxes store={store} />
         <AskStatus store={store} freshness={shownResult?.freshness}>
           <div class="read-as">
-            <p>{words.units}</p>
+            <p>
+              {words.units(
+                words.axesWords[
+                  declaredConvention(store.state.value).perturbation === "local" ? "body" : "world"
+                ],
+              )}
+            </p>
             {shownResult && <Notes notes={shownResult.report.notes} store={store} />}
           </div>
         </AskStatus>

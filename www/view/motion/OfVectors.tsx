@@ -6,7 +6,7 @@ import { declaredConvention } from "../../model/conventions.ts";
 import type { Copied } from "../../model/copied.ts";
 import type { PageState } from "../../model/page_state.ts";
 import type { Store } from "../../state/store.ts";
-import { lettersOf } from "../../words/conventions.ts";
+import { arrowOf, lettersOf } from "../../words/conventions.ts";
 import * as words from "../../words/motion/of_vectors.ts";
 import { AskedText, useAsked } from "../parts/asked.tsx";
 import { ArrayRow, Matrix } from "../parts/Value.tsx";
@@ -58,7 +58,9 @@ export function Point({ store }: { store: Store }) {
   const { report, problems, old } = useAsked(store, askedOfPoint, "motion");
   const { point, digits } = store.state.value;
   const changes = report?.point;
-  const { order } = declaredConvention(store.state.value);
+  const convention = declaredConvention(store.state.value);
+  const { order } = convention;
+  const { operator } = store.engine.describe(convention).rules;
   const values = changes && pointValues(changes, lettersOf[order]);
   const matrix = (
     name: string,
@@ -101,7 +103,7 @@ export function Point({ store }: { store: Store }) {
             )}
           </div>
           {matrix(
-            words.byComponents(lettersOf[order]),
+            words.byComponents(arrowOf(operator), lettersOf[order]),
             "∂(q∘x∘q*)/∂q",
             changes.byComponents,
             values?.byComponents,

@@ -58,7 +58,10 @@ export const halfForgotten = (off: string) =>
 export const way = "The way from p to q";
 export const part = "part t of the way";
 export const at = (part: string) => `at t = ${part}`;
-export const halfway = "half way, the mean";
+export const halfway = (isHalfTurn: boolean) =>
+  isHalfTurn ? "half way, one of two" : "half way, the mean";
+export const halfTurn =
+  "Half a turn apart: the way round the other side is as short, so the axis, the rate and what is on the way are a choice of two.";
 export const picture = "Picture of the way from p to q";
 export const pictureSays = (part: string) =>
   `The body B at t = ${part}, between the outlines of p and q.`;

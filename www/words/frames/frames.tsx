@@ -41,6 +41,8 @@ export const fixWords = {
   rename: (name: string, old?: string) => (old ? `Call ${old} ${name}` : `Write ${name}`),
   add: (child: string, parent: string) => `Add a row: ${child} in ${parent}`,
 };
+export const unreadRows = (rows: readonly number[]) =>
+  `${rows.length > 1 ? "Rows" : "Row"} ${rows.join(", ")} cannot be read: see there.`;
 export const noAnswer = "There is no answer yet: see above.";
 
 export const title = (child: string, parent: string) => `${child} in ${parent}`;

@@ -18,7 +18,8 @@ export const signWords: Record<IncrementSign, string> = {
   formal: "what Exp takes",
 };
 export const stepsName = "Steps";
-export const units = "Rates in rad/s, deg/s or rpm; without a unit in rad/s.";
+export const units = (axes: string) =>
+  `Rates in rad/s, deg/s or rpm; without a unit in rad/s. The small turn δ in rad or deg on the axes of ${axes} (under Convention: Perturbation); without a unit in rad.`;
 
 export const names = {
   increment: "A small turn",
@@ -55,8 +56,8 @@ export const matrixRate = "derivative of the matrix body to world";
 export const eulerRates = (sequence: string) => `rates of the angles ${sequence}, per second`;
 export const eulerName = "Euler rates";
 export const locked = "infinite: gimbal lock";
-export const determinant = (value: string) => `determinant ${value}`;
-export const vectorName = "Vector rate";
+export const determinant = (value: string) => `determinant ${value} of what makes ω of them`;
+export const vectorName = "Rotation vector rate, rad/s";
 export const vectorRate = "rate of the rotation vector, per second";
 export const wholeTurn = "undetermined: a whole turn";
 export const rightJacobian = "right Jacobian";
@@ -82,7 +83,12 @@ export const kinds = [
   "Runge–Kutta, angles",
   "Runge–Kutta, vector",
 ];
-export const heads = (steps: number) => ["Step", `Error, ${steps} steps`, "Order", "Norm off"];
+export const heads = (steps: number) => [
+  "Step",
+  `Error in rad, ${steps} steps`,
+  "Order",
+  "Norm off",
+];
 export const exact = "exact";
 export const plotName =
   "Error in radians against the step in seconds, both on scales of powers of ten";

@@ -16,5 +16,5 @@ export const point = "point of the body";
 export const image = "R x, in the world";
 export const byBodyTurn = "by a small turn on the body's axes";
 export const byWorldTurn = "by a small turn on the world's axes";
-export const byComponents = (letters: string) =>
-  `as declared, by the four numbers of q: a column each for ${letters}`;
+export const byComponents = (arrow: string, letters: string) =>
+  `as declared, ${arrow}, of coordinates x before it; a column for each of ${letters}`;

@@ -19,8 +19,19 @@ function textsOf(state: PageState): Record<string, string> {
     case "compose":
       return { p, q, vector, as, ...axes };
     case "motion": {
-      const { rate, rateEnd, duration, increment, covariance, point } = state;
-      return { quaternion, rate, rateEnd, duration, increment, covariance, point, as, ...axes };
+      const { rate, rateEnd, duration, increment, covariance, point, motion } = state;
+      return {
+        quaternion,
+        rate,
+        rateEnd,
+        duration,
+        increment,
+        covariance,
+        point,
+        motion,
+        as,
+        ...axes,
+      };
     }
     case "frames":
       return { frames: state.frames, as, ...axes };

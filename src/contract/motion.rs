@@ -54,8 +54,8 @@ pub struct MotionRequest {
     /// of the body where it is left out.
     #[serde(default)]
     pub increment_sign: IncrementSign,
-    /// A covariance of a vector, or of small turns, on the axes on which the increment is: nine numbers row by
-    /// row, the six of the upper triangle, three variances, or one; a number for radians is one for their squares.
+    /// A covariance of a vector, or of small turns in rad², on the axes on which the increment is: nine numbers
+    /// row by row, the six of the upper triangle, three variances, or one for all three axes.
     #[serde(default)]
     pub covariance: Text,
     /// A point x fixed in the body, in its coordinates.

@@ -1,17 +1,8 @@
 // What those meet who do not see the page, or enlarge it: its tree of names and roles, what is said
 // aloud and how often, and whether everything fits.
 import type { Page } from "@playwright/test";
+import { views } from "../../www/model/page_state.ts";
 import { expect, openEverything, quaternionField, sidewaysScroll, test } from "./support/page.ts";
-
-const views = [
-  "read",
-  "compose",
-  "motion",
-  "frames",
-  "translate",
-  "identify",
-  "libraries",
-] as const;
 
 async function open(page: Page, address: string) {
   await page.goto(`/#${address}`);

@@ -2,7 +2,7 @@
 // The largest requests that are read: 240 steps, 32 poses with as many loops, 32 factors.
 import { createRequire } from "node:module";
 
-const quatlas = createRequire(import.meta.url)("../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../dist/npm/quatlas.js");
 const { atlas, between, chain, compose, frames, HAMILTON, JPL, motion, read, swingTwist } = quatlas;
 
 const p = "rotvec 0.4 -0.7 1.1";

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const { atlas, between, chain, compose, HAMILTON, HAMILTON_SCALAR_LAST, JPL, read, swingTwist } =
   quatlas;
 const golden = JSON.parse(readFileSync(`${root}/tests/vectors/golden.json`, "utf8")).cases;

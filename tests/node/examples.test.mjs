@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const folder = new URL("../../www/package/", import.meta.url);
 const sources = readdirSync(folder)
   .filter((name) => name.endsWith(".ts"))

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const { frames, HAMILTON, JPL } = quatlas;
 
 const golden = JSON.parse(readFileSync(new URL("../vectors/golden.json", import.meta.url), "utf8"));

@@ -17,7 +17,7 @@ globalThis.WebAssembly.Instance = class extends WebAssembly.Instance {
     instances.push(this);
   }
 };
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const { analyze, HAMILTON, identify, JPL, libraries, translate } = quatlas;
 
 const library = (id) => ({ kind: "library", id });

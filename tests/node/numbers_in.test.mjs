@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const { analyze, HAMILTON, identify, identifyNumbers, JPL, translate } = quatlas;
 
 const read = (quaternion, convention = JPL, vector = [1, 2, 3]) =>

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import {
   cpSync,
+  existsSync,
   mkdirSync,
   mkdtempSync,
   readdirSync,
@@ -15,16 +16,18 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { fileURLToPath, pathToFileURL } from "node:url";
+import { inflateRawSync } from "node:zlib";
 
 const root = fileURLToPath(new URL("../..", import.meta.url));
 const project = mkdtempSync(join(tmpdir(), "quatlas-"));
 const installed = join(project, "node_modules", "quatlas");
 let quatlas;
 let required;
+let packedBytes;
 
 before(async () => {
   // --ignore-scripts: it has just been built, and a package must install without scripts.
-  const [{ filename, files }] = JSON.parse(
+  const [{ filename, files, size }] = JSON.parse(
     execFileSync("npm", ["pack", "--json", "--ignore-scripts", "--pack-destination", project], {
       cwd: root,
       encoding: "utf8",
@@ -32,6 +35,7 @@ before(async () => {
     }),
   );
   assert.ok(files.length > 0);
+  packedBytes = size;
   mkdirSync(installed, { recursive: true });
   execFileSync("tar", ["-xzf", join(project, filename), "-C", installed, "--strip-components=1"]);
   const require = createRequire(join(project, "index.cjs"));
@@ -69,17 +73,40 @@ test("import and require give the same instance", () => {
   assert.equal(quatlas.JPL, required.JPL);
 });
 
+test("the package leaves nothing behind in the global object that is seen", () => {
+  const named = "console.log(Object.keys(globalThis).join())";
+  const run = (program) => execFileSync(process.execPath, ["-e", program], { cwd: project });
+  assert.deepEqual(run(`require("quatlas"); ${named}`), run(named));
+});
+
+test("every link and picture of the README leads somewhere from where the package is read", () => {
+  const manifest = JSON.parse(readFileSync(join(installed, "package.json"), "utf8"));
+  const readme = readFileSync(join(installed, "README.md"), "utf8");
+  const targets = [...readme.matchAll(/\]\(([^)\s]+)\)|(?:src|href)="([^"]+)"/g)].map(
+    ([, markdown, html]) => markdown ?? html,
+  );
+  assert.ok(targets.length > 10, `${targets}`);
+  const isOutside = (target) => /^(?:https?:|mailto:|#)/.test(target);
+  // A registry completes what is relative by the repository that the package names, and by nothing else.
+  const missing = targets.filter(
+    (target) =>
+      !isOutside(target) && !existsSync(join(manifest.repository ? root : installed, target)),
+  );
+  assert.deepEqual(missing, []);
+});
+
+test("the tarball is not larger than it may be", () => {
+  assert.ok(packedBytes <= 1_000_000, `${packedBytes}`);
+});
+
 test("the package has types, no install scripts and no dependencies", () => {
   const manifest = JSON.parse(readFileSync(join(installed, "package.json"), "utf8"));
   assert.equal(manifest.dependencies, undefined);
   for (const script of ["preinstall", "install", "postinstall", "prepare"]) {
     assert.equal(manifest.scripts[script], undefined, script);
   }
-  for (const types of [
-    manifest.exports["."].import.types,
-    manifest.exports["."].require.types,
-    manifest.types,
-  ]) {
+  assert.equal(manifest.types, manifest.exports["."].require.types);
+  for (const { types } of [manifest.exports["."].import, manifest.exports["."].require]) {
     const text = readFileSync(join(installed, types), "utf8");
     assert.match(text, /export declare function analyze\(request: Request\): Outcome;/);
     assert.match(text, /export interface ReadReport/);
@@ -135,8 +162,10 @@ test("the types are whole, for import and for require, and refuse what is wrong"
 
 test("the wasm inside is the optimised file", () => {
   const optimised = readFileSync(join(root, "pkg", "quatlas_bg.wasm"));
-  const inside = readFileSync(join(installed, "dist/npm/index.cjs"), "utf8");
-  assert.ok(inside.includes(optimised.toString("base64")));
+  const script = readFileSync(join(installed, "dist/npm/quatlas.js"), "utf8");
+  const inside = script.match(/"([A-Za-z0-9+/=]{100000,})"/)[1];
+  assert.deepEqual(inflateRawSync(Buffer.from(inside, "base64")), optimised);
+  assert.deepEqual(readFileSync(join(installed, "dist/npm/quatlas_bg.wasm")), optimised);
   const target = process.env.CARGO_TARGET_DIR ?? join(root, "target");
   const built = join(target, "wasm32-unknown-unknown/release/quatlas.wasm");
   assert.ok(optimised.length < readFileSync(built).length / 2, "smaller than what rustc wrote");
@@ -261,7 +290,7 @@ test("a library of matrices is told from what it printed", () => {
 });
 
 test("the table of libraries is exported, with what was printed", () => {
-  const read = (name) => JSON.parse(readFileSync(join(installed, "dist/npm", name), "utf8"));
+  const read = (name) => JSON.parse(readFileSync(join(installed, "src/library", name), "utf8"));
   assert.deepEqual(quatlas.libraries, read("libraries.json"));
   assert.ok(quatlas.libraries.length >= 60);
   const require = createRequire(join(project, "index.cjs"));

@@ -4,7 +4,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { test } from "node:test";
 
-const quatlas = createRequire(import.meta.url)("../../dist/npm/index.cjs");
+const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const { between, chain, compose, frames, HAMILTON, HAMILTON_SCALAR_LAST, identify } = quatlas;
 const { identifyNumbers, motion, read, swingTwist, translate } = quatlas;
 const url = new URL("../cases/questions.json", import.meta.url);

@@ -1,0 +1,2 @@
+// What unpacks a wasm where nothing else does.
+export { inflateSync } from "fflate";

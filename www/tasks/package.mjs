@@ -74,7 +74,7 @@ async function writeScript({ source, module, script }, version) {
   const key = `Symbol.for(${JSON.stringify(`${script}@${version}`)})`;
   write(
     `${script}.js`,
-    `// ${script} ${version}: for require, for a <script>, and behind ${module}.mjs.
+    inAscii(`// ${script} ${version}: for require, for a <script>, and behind ${module}.mjs.
 (function (scope) {
   const key = ${key};
   function make(exports) {
@@ -89,7 +89,7 @@ ${code}
   if (typeof exports === "object" && typeof module === "object") Object.assign(exports, made);
   else if (scope !== undefined) scope.${script} = made;
 })((function () { return this; })());
-`,
+`),
   );
   const passOn = (from) => `import "./${from}";
 
@@ -101,6 +101,10 @@ ${names.map((name) => `  ${name},\n`).join("")}} = globalThis[${key}];
   write(`${module}.node.mjs`, passOn(`${script}.node.cjs`));
   write(`${script}.node.cjs`, `require("./${script}.js");\n`);
 }
+
+/** A page that says no encoding, such as one that is opened as a file, reads its scripts in another one. */
+const inAscii = (code) =>
+  code.replace(/[^\0-\x7f]/g, (unit) => `\\u${unit.charCodeAt(0).toString(16).padStart(4, "0")}`);
 
 /** The types that the core generates, and the declarations of what the entries export. */
 function writeTypes() {

@@ -37,7 +37,7 @@ const steps = {
   package: async () => {
     await buildCore();
     await buildPackage();
-    run(process.execPath, "--test", "tests/node/");
+    run(process.execPath, "--test", "tests/node/", "tests/consumers/");
   },
   wasm: async () => {
     // wasm-bindgen is there once the core is built; two at once would both install it.

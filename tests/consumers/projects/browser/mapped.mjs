@@ -1,0 +1,3 @@
+import * as quatlas from "quatlas";
+
+document.title = checkQuatlas(quatlas);

@@ -1,0 +1,1 @@
+globalThis.namesBefore = Object.getOwnPropertyNames(globalThis);

@@ -1,0 +1,4 @@
+import "../check.js";
+import * as quatlas from "quatlas";
+
+postMessage(checkQuatlas(quatlas));

@@ -1,0 +1,3 @@
+require("../check.js");
+
+import("quatlas").then((quatlas) => console.log(checkQuatlas(quatlas)));

@@ -1,0 +1,3 @@
+require("../check.js");
+
+console.log(checkQuatlas(require("quatlas")));

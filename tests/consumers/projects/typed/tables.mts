@@ -1,0 +1,3 @@
+import libraries from "quatlas/libraries.json" with { type: "json" };
+
+console.log(libraries.map(({ id }) => id.length));

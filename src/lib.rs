@@ -134,8 +134,9 @@ pub use motion::perturbation::{small_angle_matrix, small_angle_quaternion};
 pub use problem::fault::Fault;
 pub use problem::suggestion::{Remedy, Suggestion, Suggestions};
 pub use problem::{Field, Problem, ProblemCode, Span};
+pub use rotation::alignment::{Alignment, NoAlignment};
 pub use rotation::euler::{EulerAngles, GIMBAL_LOCK_RAD, GimbalLock, Survivor};
-pub use rotation::interpolation::NotFinite;
+pub use rotation::interpolation::{NoMean, NotFinite};
 pub use rotation::nearest::{NearestRotation, NoNearestRotation};
 pub use rotation::quaternion::{MixedConventions, TaggedQuaternion, hamilton_product, jpl_product};
 pub use rotation::rotation_vector::{
@@ -144,6 +145,7 @@ pub use rotation::rotation_vector::{
 };
 pub use rotation::swing_twist::SwingTwist;
 pub use rotation::tagged_matrix::{ROTATION_TOLERANCE, TaggedMatrix};
+pub use rotation::weights::UnusableWeights;
 pub use rotation::{NoRotation, Rotation};
 pub use text::description::{
     ParsedAxisAngle, ParsedEulerAngles, ParsedHalfAngleVector, ParsedRotation, ParsedRotationVector,

@@ -3,6 +3,7 @@
 use crate::rotation::Rotation;
 use crate::rotation::nearest;
 use crate::rotation::precise::Norm;
+use crate::rotation::weights::{self, UnusableWeights};
 use nalgebra::{Matrix3, Quaternion};
 use std::fmt;
 use twofloat::TwoFloat;
@@ -21,6 +22,29 @@ impl fmt::Display for NotFinite {
 }
 
 impl std::error::Error for NotFinite {}
+
+/// Why there is no attitude in the middle of many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoMean {
+    /// There is no attitude.
+    Empty,
+    /// The weights cannot be used.
+    Weights(UnusableWeights),
+    /// No attitude is nearer to all than every other, or hardly.
+    Undetermined,
+}
+
+impl fmt::Display for NoMean {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Empty => "a mean needs at least one rotation",
+            Self::Weights(unusable) => unusable.message(),
+            Self::Undetermined => "no rotation is nearer to all of them than every other",
+        })
+    }
+}
+
+impl std::error::Error for NoMean {}
 
 impl Rotation {
     /// The attitude a part `t` of the way to another, at constant angular velocity about one axis.
@@ -85,6 +109,48 @@ impl Rotation {
         Ok(Self::from_precise(sum))
     }
 
+    /// The turn about the same axis by `t` times the angle: `R^t`.
+    ///
+    /// `Exp(t Log(R))`, of the shorter way where the quaternion tells the longer one: `t = 0` is the identity,
+    /// `t = −1` the inverse, `t = 3` three turns one after the other, and between 0 and 1 it is the part `t` of
+    /// the way from the identity ([`Rotation::slerp`]). No convention enters, as axis and angle have none. At
+    /// half a turn both ways are equally short, and the axis is that of [`Rotation::axis`]. Within three
+    /// roundoffs, |t| times three beyond 1, however small the turn is.
+    ///
+    /// # Errors
+    ///
+    /// [`NotFinite`] where `t` is NaN or infinite.
+    ///
+    /// ```
+    /// use quatlas::{NotFinite, Rotation, nalgebra::Vector3};
+    /// // 80° about z, by −1.5: 120° the other way, which leads y to cos(30°), −1/2.
+    /// let yawed = Rotation::from_axis_angle([0.0, 0.0, 1.0], 80_f64.to_radians())?;
+    /// let turned = yawed.power(-1.5)?.body_to_world(Vector3::y());
+    /// assert!((turned - Vector3::new(0.75_f64.sqrt(), -0.5, 0.0)).amax() < 1e-15);
+    /// // 300° are 60° the other way, and half of these are −30°.
+    /// let yawed = Rotation::from_axis_angle([0.0, 0.0, 1.0], 300_f64.to_radians())?;
+    /// assert!((yawed.power(0.5)?.rotation_vector_rad().z.to_degrees() + 30.0).abs() < 1e-13);
+    /// assert_eq!(yawed.power(f64::NAN), Err(NotFinite));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias("pow", "powf", "fractional power", "scale"))]
+    pub fn power(&self, t: f64) -> Result<Self, NotFinite> {
+        if !t.is_finite() {
+            return Err(NotFinite);
+        }
+        let vector = self.shorter_vector_part();
+        let scalar = self.canonical().w.abs();
+        let half_angle = libm::atan2(Norm::of(vector.as_slice()).value(), scalar);
+        if half_angle * t.abs().max(1.0) < WEIGHTS_ARE_LINEAR_BELOW {
+            // [w, t v], which no turn is too small for: its angle may be less than the smallest double.
+            return Ok(Self::from_canonical(&Quaternion::from_parts(
+                scalar,
+                vector * t,
+            )));
+        }
+        Ok(self.part_of_shorter_turn(t, half_angle))
+    }
+
     /// `[cos(tθ), sin(tθ) u]` with u the axis of the shorter way of this turn and θ half its angle.
     fn part_of_shorter_turn(&self, t: f64, half_angle: f64) -> Self {
         let Some(axis) = self.axis() else {
@@ -125,6 +191,42 @@ impl Rotation {
     pub fn mean(rotations: &[Self]) -> Option<Self> {
         let sum: Matrix3<f64> = rotations.iter().map(Self::body_to_world_matrix).sum();
         nearest::nearest(&sum)
+    }
+
+    /// The attitude in the middle of many that count for more or less: that for which the sum of weight
+    /// times squared chordal distance is least.
+    ///
+    /// The rotation nearest to the weighted sum of the matrices, summed with 106 bits (Markley et al. 2007).
+    /// Only the ratios of the weights matter; one of weight 0 is left out, and with equal weights it is
+    /// [`Rotation::mean`].
+    ///
+    /// # Errors
+    ///
+    /// [`NoMean`] for an empty list, for weights that cannot be used, and where no attitude is nearer than all
+    /// others, as for two of equal weight that are half a turn apart.
+    ///
+    /// ```
+    /// use quatlas::{NoMean, Rotation, UnusableWeights};
+    /// let yawed = |angle: f64| Rotation::from_axis_angle([0.0, 0.0, 1.0], angle.to_radians());
+    /// // The directions of 0° and 90° with weights 3 and √3 add up to a direction of 30°.
+    /// let both = [yawed(0.0)?, yawed(90.0)?];
+    /// let mean = Rotation::mean_weighted(&both, &[3.0, 3_f64.sqrt()])?;
+    /// assert!((mean.rotation_vector_rad().z.to_degrees() - 30.0).abs() < 1e-13);
+    /// let negative = Rotation::mean_weighted(&both, &[3.0, -1.0]);
+    /// assert_eq!(negative, Err(NoMean::Weights(UnusableWeights::NegativeOrNotFinite)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[doc(alias("average", "barycenter", "weighted mean"))]
+    pub fn mean_weighted(rotations: &[Self], weights: &[f64]) -> Result<Self, NoMean> {
+        if rotations.is_empty() {
+            return Err(NoMean::Empty);
+        }
+        let weights = weights::at_unit_size(weights, rotations.len()).map_err(NoMean::Weights)?;
+        let mut sum = Matrix3::from_element(TwoFloat::from(0.0));
+        for (rotation, weight) in rotations.iter().zip(weights) {
+            sum += rotation.precise_matrix().map(|entry| entry * weight);
+        }
+        nearest::nearest_to_sum(&sum).ok_or(NoMean::Undetermined)
     }
 
     /// The canonical quaternion with norm 1 and 106 bits, `[w, x, y, z]`.

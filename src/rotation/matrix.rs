@@ -92,7 +92,8 @@ impl Rotation {
         is_finite.then_some(turned)
     }
 
-    fn precise_matrix(&self) -> Matrix3<TwoFloat> {
+    /// `R_WB` with 106 bits.
+    pub(crate) fn precise_matrix(&self) -> Matrix3<TwoFloat> {
         let q = self.canonical();
         let (w, x, y, z) = (q.w, q.i, q.j, q.k);
         let times = TwoFloat::new_mul;

@@ -3,6 +3,9 @@
 //! Inside is the Hamilton quaternion of `R_WB`. Before [`Rotation::from_tagged`]
 //! there are conventions; after it there are none, until [`Rotation::to_tagged`].
 
+/// Attitudes from vectors that are known in the body and in the world.
+pub mod alignment;
+
 /// Rotation to and from axis, angle and rotation vector.
 pub mod axis_angle;
 
@@ -27,6 +30,9 @@ pub(crate) mod precise;
 /// Four numbers with the convention that says what they mean.
 pub mod quaternion;
 
+/// Attitudes drawn at random.
+pub mod random;
+
 /// Rotation vectors: composition, Jacobians, and their relatives.
 pub mod rotation_vector;
 
@@ -35,6 +41,9 @@ pub mod swing_twist;
 
 /// Nine numbers with the convention that says what they mean.
 pub mod tagged_matrix;
+
+/// How much each of many counts.
+pub mod weights;
 
 use crate::convention::Convention;
 use crate::rotation::quaternion::TaggedQuaternion;

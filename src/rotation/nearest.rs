@@ -53,6 +53,13 @@ const SMALLEST_GAP: f64 = 1e-6;
 /// and 106 bits are 32 digits.
 const NEWTON_STEPS: usize = 2;
 
+/// The same for a matrix whose entries have 106 bits themselves: its nearest rotation has 17 digits down to
+/// here.
+const SMALLEST_PRECISE_GAP: f64 = 1e-12;
+
+/// At that gap the eigenvector has 4 digits, and as the Jacobian has doubles each step adds 4.
+const PRECISE_NEWTON_STEPS: usize = 5;
+
 impl NearestRotation {
     pub(crate) fn of_body_to_world(matrix: &Matrix3<f64>) -> Result<Self, NoNearestRotation> {
         if !matrix.iter().all(|entry| entry.is_finite()) {
@@ -83,11 +90,35 @@ pub(crate) fn nearest(matrix: &Matrix3<f64>) -> Option<Rotation> {
     let scale = precise::working_scale(matrix.as_slice());
     let working_size = |entry| TwoFloat::from(precise::times_power_of_two(entry, scale));
     let k = davenport(&matrix.map(working_size));
-    let dominant = Dominant::of(&k);
-    if dominant.gap < SMALLEST_GAP {
+    of_davenport(&k, SMALLEST_GAP, NEWTON_STEPS)
+}
+
+/// The rotation nearest to a sum of finite matrices; `None` where no one is nearer than all others by as
+/// much as is asked for one matrix.
+pub(crate) fn nearest_to_sum(sum: &Matrix3<TwoFloat>) -> Option<Rotation> {
+    let k = davenport(&at_working_size(sum));
+    of_davenport(&k, SMALLEST_GAP, NEWTON_STEPS)
+}
+
+/// The rotation nearest to a finite matrix with 106 bits; `None` where no one is nearer than all others.
+pub(crate) fn nearest_to_precise(matrix: &Matrix3<TwoFloat>) -> Option<Rotation> {
+    let k = davenport(&at_working_size(matrix));
+    of_davenport(&k, SMALLEST_PRECISE_GAP, PRECISE_NEWTON_STEPS)
+}
+
+/// The matrix times the power of two that makes its largest entry as large as the working size.
+fn at_working_size(matrix: &Matrix3<TwoFloat>) -> Matrix3<TwoFloat> {
+    let scale = precise::working_scale(matrix.map(|entry| entry.hi()).as_slice());
+    matrix.map(|entry| precise::precisely_times_power_of_two(entry, scale))
+}
+
+/// The rotation of the first eigenvector of `K`; `None` where the gap to the second is smaller.
+fn of_davenport(k: &Matrix4<TwoFloat>, smallest_gap: f64, newton_steps: usize) -> Option<Rotation> {
+    let dominant = Dominant::of(k);
+    if dominant.gap < smallest_gap {
         return None;
     }
-    let q = eigenvector(&k, dominant.pivot, dominant.eigenvalue)?;
+    let q = eigenvector(k, dominant.pivot, dominant.eigenvalue, newton_steps)?;
     Some(Rotation::from_precise(q))
 }
 
@@ -172,7 +203,12 @@ impl Dominant {
 /// With that component held at `s`, the other three and the eigenvalue are `K q = λ q`: of
 /// `K = [[k, bᵀ], [b, A]]` and `q = [s, y]` these are `λ = k + b·y/s` and `b s + A y = λ y`. A small
 /// `y` has a small `b`, so no digit of it is lost against 1.
-fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[TwoFloat; 4]> {
+fn eigenvector(
+    k: &Matrix4<TwoFloat>,
+    pivot: usize,
+    eigenvalue: f64,
+    newton_steps: usize,
+) -> Option<[TwoFloat; 4]> {
     let others: Vec<usize> = (0..4).filter(|&place| place != pivot).collect();
     let b = Vector3::from_fn(|row, _| k[(others[row], pivot)]);
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
@@ -182,7 +218,7 @@ fn eigenvector(k: &Matrix4<TwoFloat>, pivot: usize, eigenvalue: f64) -> Option<[
     let a_minus = |eigenvalue| a.map(in_doubles) - Matrix3::from_diagonal_element(eigenvalue);
     let start = a_minus(eigenvalue).lu().solve(&b.map(in_doubles))? * -s;
     let mut y = start.map(TwoFloat::from);
-    for _ in 0..NEWTON_STEPS {
+    for _ in 0..newton_steps {
         let eigenvalue = k[(pivot, pivot)] + b.dot(&y) * (1.0 / s);
         let residual = b * TwoFloat::from(s) + precise::product(&a, y) - y * eigenvalue;
         let jacobian =

@@ -29,6 +29,14 @@ pub(crate) fn times_power_of_two(number: f64, exponent: i32) -> f64 {
     libm::scalbn(number, exponent)
 }
 
+/// The same with 106 bits, where `2^exponent` may be larger than any double.
+pub(crate) fn precisely_times_power_of_two(number: TwoFloat, exponent: i32) -> TwoFloat {
+    TwoFloat::new_add(
+        times_power_of_two(number.hi(), exponent),
+        times_power_of_two(number.lo(), exponent),
+    )
+}
+
 /// The power of two that brings these numbers to the working size.
 pub(crate) fn working_scale(numbers: &[f64]) -> i32 {
     WORKING_EXPONENT - binary_exponent(numbers)

@@ -9,10 +9,10 @@ use quatlas::{
     Rotation, TaggedMatrix, TaggedQuaternion,
 };
 
-const CASES: u32 = 500;
+pub(crate) const CASES: u32 = 500;
 
 /// A few dozen roundings, in radians or as entries of matrices.
-const CLOSE: f64 = 1e-14;
+pub(crate) const CLOSE: f64 = 1e-14;
 
 /// Quaternions of any direction, neither tiny nor huge.
 fn numbers() -> impl Strategy<Value = Quaternion<f64>> {
@@ -31,12 +31,12 @@ fn read(components: Quaternion<f64>, convention: Convention) -> Rotation {
     Rotation::from_tagged(&q).expect("not zero")
 }
 
-fn rotation() -> impl Strategy<Value = Rotation> {
+pub(crate) fn rotation() -> impl Strategy<Value = Rotation> {
     numbers().prop_map(|q| read(q, Convention::HAMILTON))
 }
 
 /// Of less than 0.9 rad.
-fn small_vector() -> impl Strategy<Value = [f64; 3]> {
+pub(crate) fn small_vector() -> impl Strategy<Value = [f64; 3]> {
     prop::array::uniform3(-0.5..0.5_f64)
 }
 
@@ -45,13 +45,13 @@ fn matrix(rotation: &Rotation) -> Matrix3<f64> {
 }
 
 /// The same attitude, by the matrices.
-fn is_same(one: &Rotation, other: &Rotation) -> Result<(), TestCaseError> {
+pub(crate) fn is_same(one: &Rotation, other: &Rotation) -> Result<(), TestCaseError> {
     let difference = (matrix(one) - matrix(other)).amax();
     prop_assert!(difference <= CLOSE, "{one:?} and {other:?}: {difference:e}");
     Ok(())
 }
 
-fn is_near(one: f64, other: f64) -> Result<(), TestCaseError> {
+pub(crate) fn is_near(one: f64, other: f64) -> Result<(), TestCaseError> {
     prop_assert!((one - other).abs() <= CLOSE, "{one} and {other}");
     Ok(())
 }

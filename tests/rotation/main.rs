@@ -13,6 +13,9 @@ mod rows;
 mod support;
 
 mod accuracy;
+mod alignment;
+#[cfg(not(target_arch = "wasm32"))]
+mod alignment_laws;
 mod axes;
 mod conventions;
 mod copied;
@@ -21,3 +24,4 @@ mod gates;
 mod laws;
 mod names;
 mod peers;
+mod random;

@@ -18,10 +18,14 @@ export const here = [
     ["one instance for both", "same_instance.mjs"],
     ["JSON tables", "tables.cjs"],
     ["two worker threads", "threads.mjs"],
-    ["quatlas/web, its bytes given", "web.mjs"],
-  ].map(([name, file]) => ({
+    ...["bytes", "module", "response", "promise"].map((source) => [
+      `quatlas/web, given as ${source}`,
+      "web.mjs",
+      source,
+    ]),
+  ].map(([name, file, ...args]) => ({
     name: `Node: ${name}`,
-    found: ({ project }) => project.node(join("node", file)),
+    found: ({ project }) => project.node(join("node", file), ...args),
   })),
   ...[
     ["node16", "node16"],

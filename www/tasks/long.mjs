@@ -1,8 +1,10 @@
 // npm run long: what is too slow for npm test. `npm run long -- relations --times 100 --seed 3` runs
 // only the named suites, with so many times the cases of npm test (30 where it is not said), from
-// another seed.
+// another seed. `npm run long -- consumers` tries the package wherever it can be imported.
+import { join } from "node:path";
 import { parseArgs } from "node:util";
-import { setUp } from "./setup.mjs";
+import { buildPackage } from "./package.mjs";
+import { buildCore, setUp } from "./setup.mjs";
 import { main, run, Stop, say } from "./shell.mjs";
 
 const suites = {
@@ -14,6 +16,12 @@ const suites = {
     process.env.CARGO_TARGET_DIR = "target/long";
     const crates = ["--test", "text", "--test", "library"];
     run("cargo", "test", "--locked", "--no-fail-fast", ...crates, "properties::");
+  },
+  /** The packed package in all environments, which are installed from the registry: some minutes. */
+  consumers: async () => {
+    await buildCore();
+    await buildPackage();
+    run(process.execPath, join("tests", "consumers", "all.mjs"));
   },
 };
 

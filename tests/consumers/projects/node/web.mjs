@@ -9,6 +9,13 @@ try {
 } catch ({ message }) {
   if (!/await init\(\)/.test(message)) throw new Error(message);
 }
-const file = createRequire(import.meta.url).resolve("quatlas/quatlas_bg.wasm");
-await init({ wasm: readFileSync(file) });
+const bytes = readFileSync(createRequire(import.meta.url).resolve("quatlas/quatlas_bg.wasm"));
+const headers = { "Content-Type": "application/wasm" };
+const sources = {
+  bytes: () => bytes,
+  module: () => new WebAssembly.Module(bytes),
+  response: () => new Response(bytes, { headers }),
+  promise: async () => new Response(bytes, { headers }),
+};
+await init({ wasm: sources[process.argv[2]]() });
 console.log(checkQuatlas(quatlas));

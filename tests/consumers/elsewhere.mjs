@@ -139,6 +139,14 @@ export const elsewhere = [
             return runAlone(out);
           },
         })),
+        {
+          name: `Rollup with ${plugins.join(" and ")}: a CommonJS library with exports of its own`,
+          found: async ({ project }) => {
+            const out = join(outFor(project), "out.cjs");
+            await rollup(project, plugins, bundled("library.mjs"), "cjs", out);
+            return project.node("-p", `require(${JSON.stringify(out)}).read()`);
+          },
+        },
       ]),
     ],
   },
@@ -147,7 +155,7 @@ export const elsewhere = [
     consumers: ["node", "jsdom"].map((environment) => ({
       name: `Jest: ${environment}`,
       found: async ({ project }) => {
-        const options = ["--rootDir", "jest", "--testMatch", "**/*.test.cjs"];
+        const options = ["--rootDir", "jest", "--testMatch", "**/*.spec.cjs"];
         await project.tool("jest", ...options, `--env=${environment}`);
         return "ok";
       },

@@ -1,13 +1,20 @@
 // A wasm inside a script: deflated, in base64. Node, Deno and Bun have what unpacks it; for a browser it is here.
 
-/** The bytes of a wasm that `www/tasks/wasm_in_scripts.mjs` packed. */
-export function unpacked(packed: string): Uint8Array<ArrayBuffer> {
-  const deflated = bytesOf(packed);
+/** What `www/tasks/wasm_in_scripts.mjs` makes of a wasm. */
+export interface Packed {
+  /** How many bytes it has, so that it is unpacked in one piece. */
+  size: number;
+  base64: string;
+}
+
+/** The bytes of a wasm. */
+export function unpacked({ size, base64 }: Packed): Uint8Array<ArrayBuffer> {
+  const deflated = bytesOf(base64);
   const zlib = globalThis.process?.getBuiltinModule?.("node:zlib");
-  if (zlib !== undefined) return zlib.inflateRawSync(deflated, { chunkSize: 2 ** 20 });
+  if (zlib !== undefined) return zlib.inflateRawSync(deflated, { chunkSize: size });
   // An import would make its tables, for a third of the time of an import of quatlas, also where they are not used.
   const { inflateSync } = require("./inflate.ts") as typeof import("./inflate.ts");
-  return inflateSync(deflated);
+  return inflateSync(deflated, { out: new Uint8Array(size) });
 }
 
 /** The newest way first: a loop over what `atob` gives is the slowest, and everywhere. */

@@ -2,7 +2,7 @@
 
 /** Its bytes, for `unpacked`. */
 declare module "*.wasm?packed" {
-  const packed: string;
+  const packed: import("./packed.ts").Packed;
   export default packed;
 }
 

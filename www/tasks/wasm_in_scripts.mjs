@@ -12,8 +12,10 @@ const placeholder = (file) => `__BESIDE_${Buffer.from(file).toString("hex")}__`;
 const placeholders = /__BESIDE_((?:[0-9a-f]{2})+)__/g;
 
 /** A wasm as `unpacked` of www/package/packed.ts reads it. */
-export const packed = (bytes) =>
-  deflateRawSync(bytes, { level: 9, memLevel: 9 }).toString("base64");
+const packed = (bytes) => ({
+  size: bytes.length,
+  base64: deflateRawSync(bytes, { level: 9, memLevel: 9 }).toString("base64"),
+});
 
 export function wasmInScripts() {
   return {

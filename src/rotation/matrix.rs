@@ -94,22 +94,21 @@ impl Rotation {
 
     /// `R_WB` with 106 bits.
     pub(crate) fn precise_matrix(&self) -> Matrix3<TwoFloat> {
-        let q = self.canonical();
-        let (w, x, y, z) = (q.w, q.i, q.j, q.k);
-        let times = TwoFloat::new_mul;
-        let (ww, xx, yy, zz) = (times(w, w), times(x, x), times(y, y), times(z, z));
-        let (xy, xz, yz) = (times(x, y), times(x, z), times(y, z));
-        let (wx, wy, wz) = (times(w, x), times(w, y), times(w, z));
+        let [w, x, y, z] = precise::split(self.canonical());
+        let twice = |number: TwoFloat| number + number;
+        let (ww, xx, yy, zz) = (w.times(w), x.times(x), y.times(y), z.times(z));
+        let (xy, xz, yz) = (x.times(y), x.times(z), y.times(z));
+        let (wx, wy, wz) = (w.times(x), w.times(y), w.times(z));
         let norm_squared = (ww + xx) + (yy + zz);
         Matrix3::new(
             (ww + xx) - (yy + zz),
-            (xy - wz) * 2.0,
-            (xz + wy) * 2.0,
-            (xy + wz) * 2.0,
+            twice(xy - wz),
+            twice(xz + wy),
+            twice(xy + wz),
             (ww + yy) - (xx + zz),
-            (yz - wx) * 2.0,
-            (xz - wy) * 2.0,
-            (yz + wx) * 2.0,
+            twice(yz - wx),
+            twice(xz - wy),
+            twice(yz + wx),
             (ww + zz) - (xx + yy),
         )
         .map(|numerator| precise::quotient(numerator, norm_squared))

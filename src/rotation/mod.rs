@@ -24,6 +24,9 @@ pub mod matrix;
 /// The rotation nearest to nine numbers.
 pub mod nearest;
 
+// Products with 106 bits.
+pub(crate) mod products;
+
 // Exact scaling, and sums of products that are rounded once.
 pub(crate) mod precise;
 
@@ -177,9 +180,12 @@ impl Rotation {
     /// The rotation with this canonical quaternion, of any norm but zero.
     pub(crate) fn from_canonical(body_to_world: &Quaternion<f64>) -> Self {
         let scale = precise::working_scale(body_to_world.coords.as_slice());
-        Self {
-            body_to_world: precise::scale(body_to_world, scale),
-        }
+        Self::of_canonical(precise::scale(body_to_world, scale))
+    }
+
+    /// The rotation whose [canonical](Self::canonical) quaternion this is, bit for bit.
+    pub(crate) const fn of_canonical(body_to_world: Quaternion<f64>) -> Self {
+        Self { body_to_world }
     }
 
     /// The rotation with this canonical quaternion `[w, x, y, z]`, rounded only once its norm is a
@@ -188,7 +194,7 @@ impl Rotation {
     /// Zero, which no two rotations make, is taken for the identity.
     pub(crate) fn from_precise(components: [TwoFloat; 4]) -> Self {
         match precise::rounded_direction(components) {
-            Some(body_to_world) => Self { body_to_world },
+            Some(body_to_world) => Self::of_canonical(body_to_world),
             None => Self::identity(),
         }
     }

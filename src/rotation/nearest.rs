@@ -209,7 +209,7 @@ fn eigenvector(
     eigenvalue: f64,
     newton_steps: usize,
 ) -> Option<[TwoFloat; 4]> {
-    let others: Vec<usize> = (0..4).filter(|&place| place != pivot).collect();
+    let others = [0, 1, 2].map(|place| place + usize::from(place >= pivot));
     let b = Vector3::from_fn(|row, _| k[(others[row], pivot)]);
     let a = Matrix3::from_fn(|row, column| k[(others[row], others[column])]);
     let s = precise::working_size(1.0);

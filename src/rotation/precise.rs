@@ -4,6 +4,7 @@
 //! The doubled precision is `twofloat`'s (Joldes, Muller & Popescu 2017). It is what makes the last
 //! digit of a product, a matrix or a norm right; plain doubles lose two to six units of it.
 
+use crate::rotation::products::{self, Split};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use twofloat::TwoFloat;
 
@@ -21,12 +22,24 @@ const WORKING_EXPONENT: i32 = 400;
 /// 0 where all the numbers are zero.
 pub(crate) fn binary_exponent(numbers: &[f64]) -> i32 {
     let largest = numbers.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
-    libm::frexp(largest).1
+    if !largest.is_normal() {
+        return libm::frexp(largest).1;
+    }
+    exponent_bits(largest) - 1022
+}
+
+/// The exponent of a normal number that is not negative, as it is stored.
+fn exponent_bits(number: f64) -> i32 {
+    i32::try_from(number.to_bits() >> 52).unwrap_or(0)
 }
 
 /// `number * 2^exponent`, exact unless the result is subnormal or too large.
 pub(crate) fn times_power_of_two(number: f64, exponent: i32) -> f64 {
-    libm::scalbn(number, exponent)
+    // A power that is a normal number takes one product.
+    match u64::try_from(exponent + 1023) {
+        Ok(stored @ 1..=2046) => number * f64::from_bits(stored << 52),
+        _ => libm::scalbn(number, exponent),
+    }
 }
 
 /// The same with 106 bits, where `2^exponent` may be larger than any double.
@@ -66,7 +79,7 @@ pub(crate) fn scale(quaternion: &Quaternion<f64>, exponent: i32) -> Quaternion<f
 /// product that Joldes' algorithm 18 fuses (`one_third_of_a_third` in the tests keeps the case).
 pub(crate) fn quotient(dividend: TwoFloat, divisor: TwoFloat) -> TwoFloat {
     let first = dividend.hi() / divisor.hi();
-    let rest = dividend - divisor * first;
+    let rest = dividend - products::times(divisor, first);
     TwoFloat::new_add(first, rest.hi() / divisor.hi())
 }
 
@@ -84,10 +97,10 @@ impl Norm {
         let sum_of_squares = numbers
             .iter()
             .map(|&number| times_power_of_two(number, scale))
-            .map(|number| TwoFloat::new_mul(number, number))
+            .map(|number| products::exact_product(number, number))
             .fold(TwoFloat::from(0.0), |sum, square| sum + square);
         Self {
-            fraction: sum_of_squares.sqrt(),
+            fraction: products::square_root(sum_of_squares),
             exponent: -scale,
         }
     }
@@ -141,13 +154,20 @@ pub(crate) fn direction(vector: &Vector3<f64>) -> Option<Vector3<f64>> {
 /// Summed in pairs, each of which is small by itself where the factors are conjugate but for a small
 /// difference; so the relative rotation of two near attitudes keeps its digits.
 pub(crate) fn hamilton_product(left: &Quaternion<f64>, right: &Quaternion<f64>) -> [TwoFloat; 4] {
-    let (l, r, times) = (left, right, TwoFloat::new_mul);
+    let [lw, lx, ly, lz] = split(left);
+    let [rw, rx, ry, rz] = split(right);
     [
-        (times(l.w, r.w) - times(l.i, r.i)) - (times(l.j, r.j) + times(l.k, r.k)),
-        (times(l.w, r.i) + times(l.i, r.w)) + (times(l.j, r.k) - times(l.k, r.j)),
-        (times(l.w, r.j) + times(l.j, r.w)) + (times(l.k, r.i) - times(l.i, r.k)),
-        (times(l.w, r.k) + times(l.k, r.w)) + (times(l.i, r.j) - times(l.j, r.i)),
+        (lw.times(rw) - lx.times(rx)) - (ly.times(ry) + lz.times(rz)),
+        (lw.times(rx) + lx.times(rw)) + (ly.times(rz) - lz.times(ry)),
+        (lw.times(ry) + ly.times(rw)) + (lz.times(rx) - lx.times(rz)),
+        (lw.times(rz) + lz.times(rw)) + (lx.times(ry) - ly.times(rx)),
     ]
+}
+
+/// The components `[w, x, y, z]`, ready to be multiplied.
+pub(crate) fn split(quaternion: &Quaternion<f64>) -> [Split; 4] {
+    let Quaternion { coords } = quaternion;
+    [coords.w, coords.x, coords.y, coords.z].map(Split::of)
 }
 
 /// The quaternion of norm `2^399` with the direction of `[w, x, y, z]`, each component rounded once.
@@ -159,13 +179,13 @@ pub(crate) fn rounded_direction(components: [TwoFloat; 4]) -> Option<Quaternion<
     let mut scaled = components;
     let mut sum_of_squares = TwoFloat::from(0.0);
     for number in &mut scaled {
-        *number *= power;
-        sum_of_squares += *number * *number;
+        *number = products::times_power(*number, power);
+        sum_of_squares += products::square(*number);
     }
     let size = times_power_of_two(1.0, WORKING_EXPONENT - 1);
-    let norm = sum_of_squares.sqrt();
+    let norm = products::square_root(sum_of_squares);
     for number in &mut scaled {
-        *number = quotient(*number * size, norm);
+        *number = quotient(products::times_power(*number, size), norm);
     }
     (norm.hi() > 0.0).then(|| rounded(scaled))
 }
@@ -179,7 +199,11 @@ pub(crate) fn rounded([w, x, y, z]: [TwoFloat; 4]) -> Quaternion<f64> {
 /// libm's table of powers into the wasm.
 pub(crate) fn product(matrix: &Matrix3<TwoFloat>, column: Vector3<TwoFloat>) -> Vector3<TwoFloat> {
     let [x, y, z] = column.into();
-    matrix.column(0) * x + matrix.column(1) * y + matrix.column(2) * z
+    let times = products::product;
+    Vector3::from_fn(|row, _| {
+        let at = |place| matrix[(row, place)];
+        times(at(0), x) + times(at(1), y) + times(at(2), z)
+    })
 }
 
 #[cfg(test)]

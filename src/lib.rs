@@ -87,8 +87,9 @@ pub mod contract;
 /// A request in, an outcome out.
 pub mod analyze;
 
-/// The edge to JavaScript.
+/// The edge to JavaScript: of texts and requests, or of numbers alone.
 #[cfg(target_arch = "wasm32")]
+#[cfg_attr(feature = "rotations", path = "wasm/rotations/mod.rs")]
 pub mod wasm;
 
 pub use analyze::analyze;

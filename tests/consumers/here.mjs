@@ -17,6 +17,8 @@ export const here = [
     ["import() in CommonJS", "imported.cjs"],
     ["one instance for both", "same_instance.mjs"],
     ["JSON tables", "tables.cjs"],
+    ["quatlas/rotation, import", "rotation.mjs"],
+    ["quatlas/rotation, require", "rotation.cjs"],
     ["two worker threads", "threads.mjs"],
     ...["bytes", "module", "response", "promise"].map((source) => [
       `quatlas/web, given as ${source}`,
@@ -44,11 +46,13 @@ export const here = [
     ["module", "module.html"],
     ["import map", "import_map.html"],
     ["quatlas/web", "web.html"],
+    ["quatlas/rotation", "rotation.html"],
     ["module worker", "worker.html?module"],
     ["classic worker", "worker.html?classic"],
     ["classic script", "classic.html"],
     ["module, strict policy", "module.html", STRICT],
     ["module worker, strict policy", "worker.html?module", STRICT],
+    ["quatlas/rotation, strict policy", "rotation.html", STRICT],
     ["classic script, strict policy", "classic.html", STRICT],
     ["quatlas/web, strict policy", "web.html", FETCHING],
   ].map(([name, file, policy]) => ({

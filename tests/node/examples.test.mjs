@@ -6,16 +6,23 @@ import { test } from "node:test";
 
 const quatlas = createRequire(import.meta.url)("../../dist/npm/quatlas.js");
 const folder = new URL("../../www/package/", import.meta.url);
-const sources = readdirSync(folder)
+const sources = readdirSync(folder, { recursive: true })
   .filter((name) => name.endsWith(".ts"))
   .map((name) => readFileSync(new URL(name, folder), "utf8"));
 
-/** Each export with the lines of its example. */
-const examples = sources.flatMap((source) =>
-  [...source.matchAll(/@example\n((?: \*.*\n)+?) \*\/\nexport (?:const|function) (\w+)/g)].map(
-    ([, text, name]) => [name, text.split("\n").map((line) => line.replace(/^ \* ?/, ""))],
-  ),
-);
+/** Each export, and each method of one, with the lines of its example; a class comes before its methods. */
+const examples = sources.flatMap((source) => {
+  let around = "";
+  return [
+    ...source.matchAll(
+      /@example\n((?: +\*.*\n)+?) +\*\/\n(export (?:class|const|function)| {2}(?:static)?) ?(\w+)/g,
+    ),
+  ].map(([, text, kind, name]) => {
+    if (kind === "export class") around = name;
+    const whole = kind.startsWith("export") ? name : `${around}.${name}`;
+    return [whole, text.split("\n").map((line) => line.replace(/^ +\* ?/, ""))];
+  });
+});
 
 /** The value before the words of a comment; nothing where it begins with none. */
 function toldIn(comment) {
@@ -73,4 +80,25 @@ test("every function of the package has an example", () => {
     functions.filter((name) => !named.includes(name)),
     [],
   );
+  const classes = ["Rotation", "TaggedQuaternion", "Pose"];
+  const methods = classes.flatMap((name) => [
+    ...namesOf(quatlas[name]).map((member) => `${name}.${member}`),
+    ...namesOf(quatlas[name].prototype).map((member) => `${name}.${member}`),
+  ]);
+  assert.ok(methods.length > 35, methods.join());
+  const without = methods.filter((name) => !named.includes(name));
+  assert.deepEqual(without, []);
+  // What a rotation tells has its examples where it is written: in the class below it.
+  const told = namesOf(Object.getPrototypeOf(quatlas.Rotation.prototype));
+  assert.deepEqual(
+    told.filter((name) => !named.includes(`.${name}`)),
+    [],
+  );
 });
+
+/** The functions of a class or of its values. */
+function namesOf(holder) {
+  return Object.getOwnPropertyNames(holder).filter(
+    (name) => name !== "constructor" && typeof holder[name] === "function",
+  );
+}

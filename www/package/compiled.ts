@@ -1,4 +1,5 @@
 // A core out of its bytes.
+import { QuatlasError } from "./quatlas_error.ts";
 
 /** The module of these bytes; an error that names the cure where the policy of the page forbids it. */
 export function compiled(bytes: Uint8Array<ArrayBuffer>): WebAssembly.Module {
@@ -16,8 +17,8 @@ export function explained(cause: unknown): unknown {
   ) {
     return cause;
   }
-  const cure = "add 'wasm-unsafe-eval' to its script-src";
-  return new Error(`the Content-Security-Policy of the page forbids WebAssembly: ${cure}`, {
+  const message = "the Content-Security-Policy of the page forbids WebAssembly";
+  return new QuatlasError("no-wasm", message, "add 'wasm-unsafe-eval' to its script-src", {
     cause,
   });
 }

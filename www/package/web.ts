@@ -3,13 +3,23 @@ import load from "../../pkg/quatlas.js";
 import urlOfWasm from "../../pkg/quatlas_bg.wasm?beside";
 import { explained } from "./compiled.ts";
 import { startCoreBy } from "./core.ts";
+import { conventionOfLibrary } from "./named_libraries.ts";
+import { nameConventionsBy } from "./numbers/choices.ts";
+import { QuatlasError } from "./quatlas_error.ts";
 
 export * from "./conventions.ts";
 export * from "./libraries.ts";
+export * from "./numbers/index.ts";
 export * from "./texts.ts";
 
+nameConventionsBy(conventionOfLibrary);
+
 startCoreBy(() => {
-  throw new Error("quatlas/web is not loaded yet: `await init()` first, its default export");
+  throw new QuatlasError(
+    "not-loaded",
+    "quatlas/web is not loaded yet",
+    "`await init()` first, its default export",
+  );
 });
 
 /** Where the wasm comes from: its address, an answer with it, its bytes, or the compiled module. */

@@ -1,6 +1,6 @@
 // The npm package: for each entry its scripts with their wasm, and its types. The tables, and what the README links,
 // are packed as they stand in the sources.
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { cratesInWasm, licencesText, nodePackage } from "./licences.mjs";
 import { ask, root, Stop, say } from "./shell.mjs";
@@ -17,7 +17,11 @@ const sources = join(root, "www", "package");
 const ENTRIES = [
   { source: "index.ts", module: "index", script: "quatlas" },
   { source: "web.ts", module: "web", typesOf: "index" },
+  { source: "numbers/index.ts", module: "rotation", script: "quatlas_rotation" },
 ];
+
+/** The entry of numbers alone. */
+const NUMBERS = "numbers/index.ts";
 
 export async function buildPackage() {
   say("building the npm package");
@@ -45,7 +49,7 @@ export async function buildPackage() {
 const write = (file, text) => writeFileSync(join(out, file), text);
 
 /** The entry as one script, and the files beside it. */
-async function built(source, format) {
+async function built({ source }, format) {
   const { build } = await import("vite");
   const [{ output }] = await build({
     configFile: false,
@@ -54,7 +58,8 @@ async function built(source, format) {
     plugins: [wasmInScripts()],
     build: {
       lib: { entry: source, formats: [format], fileName: "entry" },
-      minify: false,
+      // What is packed is read by programs; who reads it has the sources.
+      minify: true,
       target: "es2022",
       write: false,
     },
@@ -63,14 +68,16 @@ async function built(source, format) {
   return { code, names: exports.filter((name) => name !== "default").sort(), beside };
 }
 
-async function writeModule({ source, module }) {
-  const { code, beside } = await built(source, "es");
+async function writeModule(entry) {
+  const { module } = entry;
+  const { code, beside } = await built(entry, "es");
   write(`${module}.mjs`, code);
   for (const { fileName, source: bytes } of beside) write(fileName, bytes);
 }
 
-async function writeScript({ source, module, script }, version) {
-  const { code, names } = await built(source, "cjs");
+async function writeScript(entry, version) {
+  const { module, script } = entry;
+  const { code, names } = await built(entry, "cjs");
   const key = `Symbol.for(${JSON.stringify(`${script}@${version}`)})`;
   write(
     `${script}.js`,
@@ -114,7 +121,13 @@ function writeTypes() {
   }
   const core = readFileSync(join(root, "pkg", "quatlas.d.ts"), "utf8");
   const coreTypes = core.slice(0, core.search(/\/\*\*(?:(?!\*\/)[\s\S])*\*\/\s*export function/));
+  writeNumbersTypes(declared);
   for (const { source, module, script, typesOf } of ENTRIES) {
+    if (source === NUMBERS) {
+      write(`${module}.d.mts`, `export * from "./types/numbers/index.mjs";\n`);
+      write(`${module}.d.cts`, `export * from "./types/numbers/index.cjs";\n`);
+      continue;
+    }
     const shared = typesOf === undefined ? coreTypes : `export * from "./${typesOf}.mjs";\n`;
     const own = declarations(
       join(declared, source.replace(/\.ts$/, ".d.ts")),
@@ -122,9 +135,34 @@ function writeTypes() {
     );
     const text = withoutLinks(shared + own);
     write(`${module}.d.mts`, text);
-    if (script !== undefined) write(`${module}.d.cts`, `${text}export as namespace ${script};\n`);
+    if (script === undefined) continue;
+    const required = text.replaceAll('/index.mjs"', '/index.cjs"');
+    write(`${module}.d.cts`, `${required}export as namespace ${script};\n`);
   }
-  rmSync(declared, { recursive: true });
+  for (const file of readdirSync(declared, { recursive: true })) {
+    if (file.endsWith(".d.ts")) rmSync(join(declared, file));
+  }
+}
+
+/**
+ * The types of numbers, as files that all entries share: so a `Rotation` of one is that of another for TypeScript
+ * too.
+ */
+function writeNumbersTypes(declared) {
+  const files = ["conventions", "quatlas_error"];
+  for (const file of readdirSync(join(declared, "numbers"))) {
+    files.push(join("numbers", file.replace(/\.d\.ts$/, "")));
+  }
+  for (const file of files) {
+    const text = readFileSync(join(declared, `${file}.d.ts`), "utf8");
+    for (const kind of ["mjs", "cjs"]) {
+      const core = `${file.startsWith("numbers") ? "../" : ""}../index.${kind}`;
+      const written = text
+        .replace(/"(?:\.\.\/)+pkg\/quatlas\.js"/g, JSON.stringify(core))
+        .replace(/(["'])(\.[^"']*)\.ts\1/g, `$1$2.${kind}$1`);
+      writeFileSync(join(declared, `${file}.d.${kind.replace("js", "ts")}`), withoutLinks(written));
+    }
+  }
 }
 
 /** The comments come from Rust; its links lead nowhere here. */
@@ -134,6 +172,9 @@ const withoutLinks = (text) => text.replace(/\[(`[^`]+`)\](\((?:[^()\n]|\(\))*\)
 function declarations(file, arePassedOnKnown) {
   return readFileSync(file, "utf8")
     .replace(/^import [^;]*pkg\/quatlas\.js";\n/gm, "")
+    .replace(/^export \* from "\.\/numbers\/index\.ts";\n/gm, () =>
+      arePassedOnKnown ? "" : 'export * from "./types/numbers/index.mjs";\n',
+    )
     .replace(/^export \* from "(.*)\.ts";\n/gm, (_, name) =>
       arePassedOnKnown ? "" : declarations(join(dirname(file), `${name}.d.ts`), false),
     );

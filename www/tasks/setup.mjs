@@ -2,6 +2,7 @@
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
+import { buildRotationCore } from "./rotation_core.mjs";
 import { ask, exists, root, runQuietly, Stop, say } from "./shell.mjs";
 import { areValuesWritten, writeValues } from "./values.mjs";
 
@@ -105,12 +106,14 @@ export async function setUpRustChecks() {
   await runQuietly(add, "rustup", "component", "add", ...missing);
 }
 
-/** Builds both cores and what the page knows of them, unless nothing they are made of has changed. */
+/** Builds the three cores and what the page knows of them, unless nothing they are made of has changed. */
 export async function buildCore() {
   const inputs =
     ask("git", "ls-files", "-co", "--exclude-standard", "src")?.split("\n").sort() ?? [];
   const hash = createHash("sha256");
-  const tasks = ["setup.mjs", "values.mjs"].map((file) => join("www", "tasks", file));
+  const tasks = ["rotation_core.mjs", "setup.mjs", "values.mjs"].map((file) =>
+    join("www", "tasks", file),
+  );
   for (const file of ["Cargo.toml", "Cargo.lock", "package-lock.json", ...tasks, ...inputs]) {
     if (exists(file)) hash.update(file).update(readFileSync(join(root, file)));
   }
@@ -127,6 +130,7 @@ export async function buildCore() {
   const small = join("pkg", "small");
   await buildWasm(small, "--out-name", "quatlas_small", "--", "--no-default-features");
   await buildWasm("pkg", "--out-name", "quatlas");
+  await buildRotationCore();
   await writeValues();
   writeFileSync(stamp, fingerprint);
 }

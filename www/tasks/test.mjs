@@ -25,6 +25,8 @@ const steps = {
     run("cargo", "clippy", "--locked", "--all-targets", ...wasm, ...warningsAreErrors);
     const small = [...wasm, "--no-default-features"];
     run("cargo", "clippy", "--locked", ...small, ...warningsAreErrors);
+    const numbers = [...small, "--features", "rotations"];
+    run("cargo", "clippy", "--locked", ...numbers, ...warningsAreErrors);
     run("cargo", "test", "--locked");
     process.env.RUSTDOCFLAGS = "-D warnings";
     run("cargo", "doc", "--locked", "--no-deps");

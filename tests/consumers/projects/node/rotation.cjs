@@ -1,0 +1,3 @@
+require("../check_rotation.js");
+
+console.log(checkRotation(require("quatlas/rotation"), require("quatlas")));
